@@ -55,6 +55,7 @@ COVERED_DIAMETERS = (DIAMETER_STEPS[0], SIZE_STEPS[-1])
 STEP_SLACK = 1e-12
 
 _OF_PITCH, _OF_HELIX = 0.3, 0.2  # shares of F_p and F_β that a blank may take
+_OF_MODULE = 0.1  # greatest tolerance of a tip diameter
 _LEAST_RUN_OUT = 0.005  # mm
 
 IT_FACTORS = {5: 7, 6: 10, 7: 16, 8: 25, 9: 40, 10: 64}
@@ -157,6 +158,20 @@ def run_outs(diameter: float, module: float, width: float, face: float, grade: i
     side = _OF_HELIX * face / width * float(flank_tolerance("F_beta", diameter, width, grade))
     tip, side = (max(floor(value * UM_PER_MM + STEP_SLACK) / UM_PER_MM, _LEAST_RUN_OUT) for value in (tip, side))
     return tip, side
+
+
+def tip_tolerance(diameter: float, module: float) -> float:
+    """Tolerance of a tip diameter that no size is measured from, mm: into the material, as of an h or H.
+
+    IT11, but no more than a tenth of the normal module (GB/T 10095-1988, blanks), so that the tips keep their clearance
+    and the teeth nearly all of their contact ratio.
+
+    Args:
+        diameter: tip diameter, mm.
+        module: normal module, mm.
+    """
+    most = _OF_MODULE * module
+    return min(most, float(standard_tolerance(diameter, 11))) if diameter <= SIZE_STEPS[-1] else most
 
 
 def standard_tolerance(size: ArrayLike, it_grade: int, quantity: str = "size", symbol: str = "IT") -> Array:

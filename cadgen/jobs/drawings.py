@@ -23,8 +23,8 @@ from cadgen.design.machining import DrawingText, DrawnTeeth
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.gears.stage import Mating, Stage, Wheel, is_bar, rim_diameter
-from cadgen.gears.tolerances import run_outs
+from cadgen.gears.stage import Mating, Stage, Wheel, is_bar, is_ring, rim_diameter
+from cadgen.gears.tolerances import run_outs, tip_tolerance
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.inference.measurement.record import Direction
@@ -35,7 +35,7 @@ from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, SheetGroove, cam_drawing
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
-from cadgen.output.drawing.shaft_fit import hole_class
+from cadgen.output.drawing.shaft_fit import hole_class, limits
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
@@ -148,6 +148,8 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
             "fit of the bore": ("blank.bore_fit", cam.making.fit.bore),
             **cam.application.open_keys(),
         }
+        if cam.making.screwed:
+            keys[Message("thread of the set screw")] = ("blank.hub.set_screw.thread", cam.making.fit.thread)
     keys["surface finish"] = ("drawing.finish", text and text.finish)
     further = {} if train is None else train.making.open_keys(len(train.layout.on_shafts))
     return {name: key for name, (key, value) in keys.items() if not value} | further
@@ -194,6 +196,9 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
             *([plan.kind.note] if plan.kind.note else []),
             *([making.export.printing.note] if making.export.printing else []),
         ),
+        thickness_limits=_half_width(use.thickness_tolerance),
+        edge_limits=_half_width(use.edge_tolerance),
+        base_radius=use.base_radius if plan.groove is None and not plan.part else None,
         timing=None if timing is None else TimingDiagram.of(timing),
         groove=None if plan.groove is None else _groove(plan, plan.groove, angles),
         rim_texture=(making.title and making.title.rim_finish) or "",
@@ -203,6 +208,11 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
     title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan), edge=_EDGES[-1][1]))
+
+
+def _half_width(deviation: float) -> str:
+    """Limits either way as they follow a size; empty for the general tolerance."""
+    return f" {limits(-deviation, deviation)}" if deviation else ""
 
 
 def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
@@ -338,6 +348,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             flank_texture=(plan.title and plan.title.flank_finish) or "",
             bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
+            tip_limits=tuple(map(_tip_limits, part.gears)),
             run_outs=tuple(blanks),
             pins=2 * max(getattr(stage, "pin_place", 0.0) for stage in of_stages) if _carries(part) else 0.0,
             parallel=of_stages[-1].distance_deviation or 0.0 if is_bar(part.gears[0]) else 0.0,
@@ -385,6 +396,14 @@ def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -
         return run_outs(wheel.reference_diameter, wheel.normal_module, wheel.width, face, grade)
     except DesignError:
         return None
+
+
+def _tip_limits(wheel: Wheel) -> str:
+    """Limits of a tip diameter as they follow it: into the material; empty for a carrier or a bar."""
+    if not isinstance(wheel, GearForm):
+        return ""
+    width = tip_tolerance(wheel.tip_diameter, wheel.normal_module)
+    return f" {limits(0.0, width) if is_ring(wheel) else limits(-width, 0.0)}"
 
 
 def plate_of(plan: GearTrain) -> Plate:

@@ -7,12 +7,11 @@ from math import atan2
 import numpy as np
 
 from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, Prism, Supply
-from cadgen.gears.fits import deviations
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of
 from cadgen.messages import Message
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, block_drawing, turned_drawing
-from cadgen.output.drawing.shaft_fit import limits
+from cadgen.output.drawing.shaft_fit import limited
 from cadgen.output.drawing.sheet import DrawingSheet, rounded
 
 # Classes of diameters by the code of the part: of its bores or holes, and of its outside.
@@ -103,7 +102,7 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             inside, _ = _FITS.get(part.code, ("", ""))
             sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in shape.prisms[0].holes})
             single = [size for size in sizes if inside and not _FREE < size < _FREE + 0.2]
-            texts = PartTexts(notes=(), fits=tuple((size, _zone(size, inside)) for size in single))
+            texts = PartTexts(notes=(), fits=tuple((size, limited(size, inside)) for size in single))
             yield stem, block_drawing(shape, texts, title)
 
 
@@ -116,11 +115,11 @@ def _texts(
     fits: dict[float, str] = {}
     for step in steps:
         if inside and step.bore:
-            fits[step.bore] = _zone(step.bore, inside)
+            fits[step.bore] = limited(step.bore, inside)
         if outside and not (step.bore or (hole is not None and step.low < hole[1] < step.high)):
-            fits[step.diameter] = _zone(step.diameter, outside)
+            fits[step.diameter] = limited(step.diameter, outside)
     if part.code == "fork-spindle" and hole is not None:
-        fits[hole[0]] = _zone(hole[0], inside)
+        fits[hole[0]] = limited(hole[0], inside)
     if part.code in _NOTES:
         notes.append(_NOTES[part.code])
     shape, width = part.shape, ""
@@ -135,7 +134,7 @@ def _texts(
                 )
             )
     for seat in shape.cuts if isinstance(shape, Block) else ():
-        width = _zone(_seat_size(seat)[0], "P9")
+        width = limited(_seat_size(seat)[0], "P9")
     return PartTexts(
         notes=tuple(notes),
         fits=tuple(fits.items()),
@@ -167,9 +166,3 @@ def _polar(seat: Prism) -> float:
     """Polar angle of a seat, rad."""
     x, y = seat.outline.vertices.mean(axis=0).tolist()
     return atan2(y, x)
-
-
-def _zone(size: float, named: str) -> str:
-    """Class of a size and its limit deviations as they follow the size, ISO 129-1."""
-    hole, shaft = deviations(f"{named}/h6" if named[0].isupper() else f"H7/{named}", size)
-    return f" {named} ({limits(*(hole if named[0].isupper() else shaft))})"

@@ -5,7 +5,7 @@ import pytest
 import shapely
 
 from cadgen.design.load import train_of
-from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs
+from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs, tip_tolerance
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.drawing.sheet import (
@@ -122,6 +122,20 @@ def test_a_blank_may_take_a_share_of_pitch_and_helix() -> None:
     leaning = 16.0 / 64.0 * face * np.sin(turn) / 2
     assert 0.2 * helix - 1e-3 <= np.ptp(leaning) <= 0.2 * helix
     assert run_outs(12.0, 0.5, 4.0, 13.0, 3) == (0.005, 0.005)
+
+
+def test_tips_are_smaller_by_no_more_than_a_tenth_of_the_module(sheets) -> None:
+    """IT11 of ISO 286-1, table 1: 160 µm above 30 up to 50 mm; a ring's tips stand back, too, and so are wider."""
+    assert tip_tolerance(44.0, 2.0) == pytest.approx(0.16)
+    assert tip_tolerance(16.0, 0.5) == pytest.approx(0.05)
+    assert tip_tolerance(700.0, 3.0) == pytest.approx(0.3)
+    said = {
+        stem: [each.suffix for view in sheet.views for each in view.dimensions if each.name.startswith("tip diameter")]
+        for stem, sheet in sheets["planetary"].items()
+    }
+    assert said["1_pinion"] == [" 0/-0.1"]
+    assert said["stage1_ring"] == [" +0.1/0"]
+    assert said["2_wheel"] == [""]  # a carrier
 
 
 def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:

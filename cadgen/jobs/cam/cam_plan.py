@@ -48,6 +48,7 @@ class Making:
     Attributes:
         material: material of the disc; None where the design does not say.
         fit: fits and joint of the bore on its shaft.
+        screwed: whether a set screw holds it.
         title: texts of the title block of its sheet; None where the design does not say.
         machining: cutter, speeds, tabs and drilling.
         export: how finely files follow the outline.
@@ -55,6 +56,7 @@ class Making:
 
     material: DiscMaterial | None
     fit: ShaftFit
+    screwed: bool
     title: DrawingText | None
     machining: Machining
     export: Export
@@ -67,6 +69,7 @@ class Making:
         return cls(
             material=blank.material,
             fit=ShaftFit.of(blank, blank.bore_fit, screw.thread if screw else None),
+            screwed=screw is not None,
             title=design.drawing,
             machining=design.machining,
             export=design.export,
@@ -103,6 +106,21 @@ class Application:
     @property
     def profile_tolerance(self) -> float | None:
         """Tolerance of the outline along its normal, mm; None where nothing is said of it."""
+        return None
+
+    @property
+    def thickness_tolerance(self) -> float:
+        """Half width of the tolerance of the thickness, mm; 0 for the general one."""
+        return 0.0
+
+    @property
+    def edge_tolerance(self) -> float:
+        """Half width of the tolerance of the leg of broken edges, mm; 0 for the general one."""
+        return 0.0
+
+    @property
+    def base_radius(self) -> float | None:
+        """Radius of the base circle, mm; None of a cam that is laid out without one."""
         return None
 
     @property

@@ -80,6 +80,11 @@ class MotionUse(Application):
         return {"tolerance of the outline": ("lift_tolerances.base_circle_um", self.profile_tolerance)}
 
     @property
+    def base_radius(self) -> float:
+        """Radius of the base circle, mm."""
+        return self.design.seat.base_radius
+
+    @property
     def turns(self) -> DiscSense:
         """Sense in which the disc turns, seen on its outer face."""
         return self.design.motion.turns
@@ -223,25 +228,24 @@ class MotionUse(Application):
         return motion.first if isinstance(motion, OppositeMotion) and motion.first is not None else motion
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Sense in which the disc turns, base circle or groove, and whose angles the sheet has."""
+        """How a groove is milled, how a second disc stands, and whose angles the sheet has."""
         turns = self.design.motion.machine_turns
         machine = (
             ()
             if turns is None
             else (Message("Angles are the cam's; the machine turns {turns:g} times as far.", turns=turns),)
         )
-        sense = Message("Turns clockwise, seen on this face.")
         if cam.part:
-            return sense, Message("Second disc of a conjugate pair: key and angle 0 stand as on the first."), *machine
+            return Message("Second disc of a conjugate pair: key and angle 0 stand as on the first."), *machine
         if cam.groove is None:
-            return sense, Message("Base circle: radius {radius:g} mm.", radius=self.design.seat.base_radius), *machine
+            return machine
         cutter = Message(
             "A cutter of {width:g} mm mills it in one round, a smaller one along either flank; the program is for "
             "{cutter:g} mm.",
             width=2 * cam.follower_as_built.radius,
             cutter=cam.making.machining.cutter_diameter_mm,
         )
-        return sense, _groove_words(cam, cam.groove), cutter, *machine
+        return cutter, *machine
 
 
 def _edges(cam: CamPlan) -> tuple[Reservation, ...]:

@@ -110,6 +110,16 @@ class CarUse(SteeredCar):
         """Tolerance of the outline."""
         return {"tolerance of the outline": ("tolerances.profile_offset_mm", self.profile_tolerance)}
 
+    @property
+    def thickness_tolerance(self) -> float:
+        """Half of what the faces may be off together, mm: the other half is left to the place of the disc."""
+        return ((self.design.tolerances.inner_face_mm or 0.0) + (self.design.tolerances.outer_face_mm or 0.0)) / 2
+
+    @property
+    def edge_tolerance(self) -> float:
+        """Half width of the tolerance of broken edges, mm."""
+        return self.design.tolerances.edge_break_mm or 0.0
+
     # The car.
 
     @cached_property
@@ -474,26 +484,16 @@ class CarUse(SteeredCar):
         )
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Instructions for a car as built, and before each run with a brake; tolerances of the faces' distances."""
-        inner, outer = self.design.tolerances.inner_face_mm, self.design.tolerances.outer_face_mm
-        begin: tuple[str, ...] = (*self.setting(), *self.before_each_run)
-        if self.in_car is not None and self.in_car.turned_over:
-            begin = (
-                *begin,
-                Message("In the car the disc sits turned over: the face shown points to the fork.")
-                if cam.seen == Face.OUTER
-                else Message("In the car the disc sits turned over: the face shown points away from the fork."),
-            )
-        if not (inner or outer):
-            return begin
-        return (
-            *begin,
-            Message(
-                "Faces: inner ± {inner:g}, outer ± {outer:g} mm from the fork axis, as the cars are reckoned.",
-                inner=inner,
-                outer=outer,
-            ),
+        """Instructions for a car as built, what to do before each run with a brake, and how the disc sits."""
+        notes: tuple[str, ...] = (*self.setting(), *self.before_each_run)
+        if self.in_car is None or not self.in_car.turned_over:
+            return notes
+        over = (
+            Message("In the car the disc sits turned over: the face shown points to the fork.")
+            if cam.seen == Face.OUTER
+            else Message("In the car the disc sits turned over: the face shown points away from the fork.")
         )
+        return *notes, over
 
     def of_file(self, cam: CamPlan, outline: Outline, contact: Contact, limit: float) -> Figures:
         """End of the run with play on the cam of a file.

@@ -20,6 +20,7 @@ class ShaftMaking:
         material: material of the part; None where the design does not say.
         fit: fits and joint of its bore.
         bored: whether it has a bore, and thus a fit to be stated.
+        screwed: whether a set screw holds it, and thus a thread is to be stated.
     """
 
     place: str
@@ -27,6 +28,7 @@ class ShaftMaking:
     material: str | None
     fit: ShaftFit
     bored: bool
+    screwed: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +64,9 @@ class TrainMaking:
         def shaft(place: str, given: GearBlankSection, word: str = "") -> ShaftMaking:
             fit = ShaftFit.of(given, given.bore_fit, given.hub.set_screw_thread if given.hub else None)
             material = given.material or keys.material
-            return ShaftMaking(place, word or Message(place), material, fit, bored=given.bore_diameter_mm > 0)
+            screwed = bool(given.hub and given.hub.set_screw_mm)
+            bored = given.bore_diameter_mm > 0
+            return ShaftMaking(place, word or Message(place), material, fit, bored=bored, screwed=screwed)
 
         plate = keys.plate or PlateSection()
         return cls(
@@ -106,6 +110,9 @@ class TrainMaking:
         for part in each:
             if part.bored and not part.fit.bore:
                 keys[Message("fit of the bore, {place}", place=part.word)] = f"train.{part.place}.bore_fit"
+            if part.screwed and not part.fit.thread:
+                name = Message("thread of the set screw, {place}", place=part.word)
+                keys[name] = f"train.{part.place}.hub.set_screw_thread"
         if not self.plate:
             keys[Message("material of the plates")] = "train.plate.material"
         if not self.holes:

@@ -18,19 +18,25 @@ from cadgen.output.drawing.sheet import (
     BEYOND,
     EDGE,
     LEFT,
+    ROW,
     SHOWN,
     SIZES,
     TAIL,
+    TEXT,
+    WIDEST,
+    AngularDimension,
     Characteristic,
     Closed,
     DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
+    EdgeState,
     Label,
     LinearDimension,
     LineKind,
     NoteColumn,
+    RadiusDimension,
     SheetTable,
     Stroke,
     SurfaceTexture,
@@ -66,6 +72,8 @@ _BEFORE = 17.0  # mm on paper between frame and face
 _COLUMN = 31.0  # width of each of the tables of radii, and what is between them, mm
 _TABLES = 3 * _COLUMN
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
+_SHARP, _LEANING = 0.05, 0.02  # mm off sharp edges (ISO 13715), and off those on which a follower leans
+_TURNED = 1e-6  # rad, within which two directions are one
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
 
@@ -113,6 +121,9 @@ class CamPart:
         face: words for the face that is seen.
         files: name and hash of each file that holds the outline.
         notes: further sentences.
+        thickness_limits: limits of the thickness as they follow it; empty where it has the general tolerance.
+        edge_limits: limits of the leg of broken edges, likewise.
+        base_radius: radius of the base circle, mm; None of a cam that has none.
         timing: timing diagram; None of a cam whose motion is a car's.
         groove: groove of which the outline is the inner flank; None for a disc whose rim is the outline.
         rim_texture: texture of the rim, or of the flanks of the groove; empty where it is that of the title block.
@@ -135,6 +146,9 @@ class CamPart:
     face: str
     files: tuple[tuple[str, str], ...]
     notes: tuple[str, ...]
+    thickness_limits: str = ""
+    edge_limits: str = ""
+    base_radius: float | None = None
     timing: TimingDiagram | None = None
     groove: SheetGroove | None = None
     rim_texture: str = ""
@@ -155,9 +169,16 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
         radii = _radii(cam, (width - EDGE - _TABLES, height - EDGE - 2.0))
-        below = (radii[0].at[0], radii[0].at[1] - radii[0].height - 2.0)
-        segments = timing.table(below) if timing else None
-        return (*radii, *([segments] if segments else []))
+        tables = [*radii, _extremes(cam, (radii[0].at[0], radii[0].at[1] - radii[0].height + ROW - 2.0))]
+
+        def below() -> tuple[float, float]:
+            return tables[-1].at[0], tables[-1].at[1] - tables[-1].height - 2.0
+
+        if segments := timing.table(below()) if timing else None:
+            tables.append(segments)
+        if fits := cam.fit.table(cam.blank, below()):
+            tables.append(fits)
+        return tuple(tables)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         over, beside = over_title(tables_of(size), _TABLES, title), beside_title(size)
@@ -208,7 +229,10 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         *([ring(holes.circle_diameter, LineKind.CENTRE)] if holes and holes.circle_diameter else []),
         *(Closed(hole) for hole in blank.holes()),
         *centre_cross(reach + 0.4 * gap),
+        *_polar_lines(cam),
     ]
+    if cam.base_radius:
+        curves.append(ring(2 * cam.base_radius, LineKind.PHANTOM))
     if cam.groove:
         groove = cam.groove
         curves += [Closed(groove.outer), ring(2 * reach), Stroke(groove.path, LineKind.CENTRE)]
@@ -222,6 +246,9 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     ]
     start, tip = (np.array([zero + out / scale, 0.0]) for out in (_ARROW, 0.8))
     curves += arrow(start, tip, (2.5 / scale, 2.5 / scale / 3))
+    strokes, word = _counted(cam, zero, scale)
+    curves += strokes
+    labels.append(word)
     if blank.hub:
         seen = LineKind.VISIBLE if blank.hub.side == Face.OUTER else LineKind.HIDDEN
         curves.append(ring(blank.hub.diameter, seen))
@@ -239,8 +266,8 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         labels.append(word)
     room = Room(curves, scale)
     every = _face_dimensions(cam, scale)
-    if screw and not screw.tapped(angle, 0.0, scale) and (tapped := screw.tapped_on_face(0.7 * gap, scale)):
-        every.append(tapped)
+    if screw and not screw.size_in_section(angle, 0.0, scale):
+        every.append(screw.size_on_face(0.7 * gap, scale))
     dimensions = room.dimensions(every, labels)
     return View(
         place=place,
@@ -252,7 +279,7 @@ def _face(cam: CamPart, place: tuple[float, float], scale: float) -> View:
 
 
 def _symbols(cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: float) -> Iterator[Symbol]:
-    """Tolerance of the outline, to the axis of the bore and to the middle of its keyway or flat, and textures.
+    """Tolerance of the outline, to the axis of the bore and the middle of its keyway or flat; sharp edges; textures.
 
     Args:
         cam: cam.
@@ -262,6 +289,11 @@ def _symbols(cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: f
     """
     if cam.profile_tolerance is not None:
         yield from _profile_frames(cam, cam.profile_tolerance, room, dimensions, scale)
+    if not cam.blank.edge_break:
+        flanks = (cam.profile,) if cam.groove is None else (cam.profile, cam.groove.outer)
+        count, size = 3 - len(flanks), _LEANING if cam.leans else _SHARP
+        for flank in flanks:
+            yield room.frame(EdgeState(count=count, size=size, tip=(0.0, 0.0), bend=(1.0, 0.0)), outline_tips(flank))
     if cam.rim_texture:
         outline = cam.profile if cam.groove is None else cam.groove.outer
         sign = SurfaceTexture(value=cam.rim_texture, tip=(0.0, 0.0), bend=(1.0, 0.0), all_around=True)
@@ -348,6 +380,57 @@ def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:
     return strokes, Label(text=Message("turns"), at=(x, y))
 
 
+def _counted(cam: CamPart, zero: float, scale: float) -> tuple[list[Stroke], Label]:
+    """Arrow of the sense in which polar angles count, from the ray of the zero mark, and its letter.
+
+    Args:
+        cam: cam.
+        zero: radius at the zero mark, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    near = np.interp(np.linspace(0.0, 0.3, 16), cam.angles, cam.radii, period=TURN)
+    radius = zero + _ARROW / scale if cam.groove else max(zero + _ARROW / scale, float(near.max()) + 4.0 / scale)
+    angles = np.linspace(1.5, 9.5, 17) / scale / radius
+    points = radius * np.column_stack([np.cos(angles), np.sin(angles)])
+    ahead = points[-1] + (points[-1] - points[-2]) * 1e-3
+    strokes = [Stroke(points, LineKind.THIN), arrow(points[-1], ahead, (2.5 / scale, 0.8 / scale), LineKind.THIN)[1]]
+    x, y = points[-1].tolist()
+    return strokes, Label(text="θ", at=(x + 1.5 / scale, y + 1.5 / scale))
+
+
+def _angles(cam: CamPart) -> Iterator[tuple[str, float, float]]:
+    """Name, polar angle (rad) and distance from the axis (mm) of features that are not on the ray of the zero mark."""
+    blank, held = cam.blank, cam.blank.key
+    if held:
+        name = "keyway angle" if isinstance(held, Keyway) else "flat angle"
+        yield from _turned(name, held.angle, 0.5 * (cam.least[0] + blank.bore_diameter / 2))
+    holes = blank.lightening
+    if holes and holes.circle_diameter and not _one_way(holes.count * holes.start_angle):
+        yield from _turned("hole angle", holes.start_angle, holes.circle_diameter / 2)
+    if blank.mark:
+        yield from _turned("mark angle", blank.mark.angle, blank.mark.radius)
+    if (screw := _screw(cam)) and not (held and _one_way(screw.hole.angle - held.angle)):
+        yield from _turned("set screw angle", screw.hole.angle, screw.outer + 3.0)
+
+
+def _turned(name: str, angle: float, radius: float) -> Iterator[tuple[str, float, float]]:
+    if not _one_way(angle):
+        yield name, angle, radius
+
+
+def _one_way(angle: float) -> bool:
+    return cos(angle) > 1 - _TURNED**2 / 2
+
+
+def _polar_lines(cam: CamPart) -> Iterator[Stroke | Closed]:
+    """Centre lines to features at an angle, and the circle of the mark."""
+    for _, angle, radius in _angles(cam):
+        along = np.array([cos(angle), sin(angle)])
+        yield Stroke(np.array([np.zeros(2), 1.15 * radius * along]), LineKind.CENTRE)
+    if cam.blank.mark:
+        yield ring(2 * cam.blank.mark.radius, LineKind.CENTRE)
+
+
 def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     blank, gap = cam.blank, _GAP / scale
     aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
@@ -358,7 +441,9 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     ]
     match blank.key:
         case Keyway():
-            dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, cam.fit.key_class))
+            dimensions.append(
+                keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, cam.fit.key_class(blank.key.width))
+            )
         case DFlat(depth=depth, angle=angle):
             radius, c, s = blank.bore_diameter / 2, cos(angle), sin(angle)
             off = radius + 0.7 * gap
@@ -382,6 +467,17 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 suffix=Message(" mark"),
             )
         )
+        dimensions.append(
+            RadiusDimension(name="circle of the mark", centre=(0.0, 0.0), radius=blank.mark.radius, angle=aside + 100.0)
+        )
+    if cam.base_radius:
+        circle_of_base = RadiusDimension(
+            name="base circle",
+            centre=(0.0, 0.0),
+            radius=cam.base_radius,
+            angle=degrees(cam.least[1]),
+        )
+        dimensions.append(circle_of_base)
     if cam.groove:
         inner, outer = cam.groove.across
         way = outer - inner
@@ -417,6 +513,10 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 angle=degrees(ring_of_holes.start_angle) - 180 / ring_of_holes.count,
             ),
         ]
+    for name, angle, radius in _angles(cam):
+        turn = degrees(angle) % 360
+        start, end = (0.0, turn) if turn <= 180.0 else (turn, 360.0)
+        dimensions.append(AngularDimension(name=name, centre=(0.0, 0.0), start=start, end=end, radius=radius))
     return dimensions
 
 
@@ -446,7 +546,24 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
     axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
-    dimensions: list[Dimension] = [along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap)]
+    thick = replace(along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap), suffix=cam.thickness_limits)
+    long = TEXT * WIDEST * len(rounded(thickness) + thick.suffix)
+    if cam.thickness_limits and scale * thickness < long + 2.0:
+        thick = replace(thick, beside=scale * thickness / 2 + max(TAIL, 1.0) + long / 2 + 1.0)
+    dimensions: list[Dimension] = [thick]
+    if leg := blank.edge_break:
+        said = f" × 45°{cam.edge_limits}"
+        dimensions.append(
+            LinearDimension(
+                name="edge break",
+                start=(thickness - leg, top),
+                end=(thickness, top),
+                at=(thickness, top + 2.4 * gap),
+                prefix="2 × ",
+                suffix=said,
+                beside=TAIL + TEXT * WIDEST * len(f"2 × {rounded(leg)}{said}") / 2 + 1.0,
+            )
+        )
     if cam.groove:
         bottom = min(area.bounds[1] for area in areas)
         dimensions.append(along_axis("groove depth", (floor, thickness), bottom, bottom - 0.8 * gap))
@@ -461,11 +578,11 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
             along_axis("hub length", (boss.low, boss.high), -half, -half - 1.6 * gap),
             axial_diameter("hub diameter", end, half, end + (2.0 if outer else -1.0) * gap),
         ]
-    if screw and (tapped := screw.tapped(angle, top + 1.7 * gap, scale)):
+    if screw and (tapped := screw.size_in_section(angle, top + 1.7 * gap, scale)):
         dimensions.append(tapped)
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
-        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap), scale))
+        dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap), scale, beside=side))
     middle, under = (low + high) / 2, -cam.reach - (2.0 if cam.groove else 1.1) * gap
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
@@ -531,6 +648,20 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     )
 
 
+def _extremes(cam: CamPart, at: tuple[float, float]) -> SheetTable:
+    """Greatest and least radius with their polar angles."""
+    most, least = Message("greatest"), Message("least")
+    (radius, angle), (low, at_low) = cam.greatest, cam.least
+    if cam.groove is not None:
+        most, least = Message("outer, greatest"), Message("inner, least")
+        radius, angle = cam.groove.greatest
+    rows = [
+        (name, rounded(degrees(where) % 360, 1), f"{reach:.3f}")
+        for name, where, reach in ((most, angle, radius), (least, at_low, low))
+    ]
+    return SheetTable(title="", at=at, widths=(30.0, 13.0, 17.0), rows=(("", "θ, °", "R, mm"), *rows))
+
+
 def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     """Radii of both flanks by the polar angle, in two tables beside each other."""
     head = ("θ, °", Message("inner, mm"), Message("outer, mm"))
@@ -551,59 +682,18 @@ def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> 
 
 
 def _notes(cam: CamPart) -> Iterator[str]:
-    blank, (most, at_most), (least, at_least) = cam.blank, cam.greatest, cam.least
+    blank = cam.blank
     if cam.groove:
-        widest, at_widest = cam.groove.greatest
-        yield Message(
-            "Inner flank R {least:.3f} at least, at θ = {at_least:.1f}°; outer flank R {most:.3f} at most, at "
-            "{at_most:.1f}°. The chain line is the path of the roller's centre.",
-            least=least,
-            at_least=degrees(at_least) % 360,
-            most=widest,
-            at_most=degrees(at_widest) % 360,
-        )
-    else:
-        yield Message(
-            "R {most:.3f} at most, at θ = {at_most:.1f}°; {least:.3f} at least, at {at_least:.1f}°.",
-            most=most,
-            at_most=degrees(at_most) % 360,
-            least=least,
-            at_least=degrees(at_least) % 360,
-        )
-    yield Message(
-        "θ counts counterclockwise from the arrow, where the {follower} stands at cam angle 0.", follower=cam.on_ray
-    )
+        yield Message("The chain line is the path of the roller's centre.")
+    yield Message("At the arrow of 0° stands the {follower} at cam angle 0.", follower=cam.on_ray)
     yield cam.sizes
     yield Message("The table is for inspection; cut from a file (sha256):")
     yield from (f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files)
     if not cam.files:
         yield Message("   none lies in this folder: make one with cadgen cam.")
-    if blank.key:
-        angle = rounded(degrees(blank.key.angle))
-        if isinstance(blank.key, Keyway):
-            yield Message("Keyway at θ = {angle}°.", angle=angle)
-        else:
-            yield Message("Flat at θ = {angle}°.", angle=angle)
-    elif blank.mark:
-        yield Message("Plain bore: the mark alone tells the angle on the part.")
-    else:
+    if not (blank.key or blank.mark):
         yield Message("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
-    if blank.lightening:
-        yield Message("First hole at θ = {angle}°.", angle=rounded(degrees(blank.lightening.start_angle)))
     yield from cam.fit.notes(blank)
-    if blank.edge_break:
-        yield Message(
-            "Both edges of the outline broken {leg:g} × 45°; the {follower} rides between them.",
-            leg=blank.edge_break,
-            follower=cam.follower,
-        )
-    elif not cam.leans:
-        yield Message("Edges of the outline sharp, burrs off with a stone.")
-    else:
-        yield Message(
-            "Edges of the outline sharp, burrs off with a stone: a broken edge moves the {follower}.",
-            follower=cam.follower,
-        )
     if blank.mark:
         mark, held = blank.mark, blank.key
         left = sin(mark.angle - (held.angle if held else 0.0)) > 0
@@ -612,26 +702,10 @@ def _notes(cam: CamPart) -> Iterator[str]:
         else:
             of = Message("the flat") if held else Message("the arrow")
         yield Message(
-            "Mark at R {radius:g}, θ = {angle:g}°: {side} of {of}, seen from the axis outwards on this face. On the "
-            "other side the disc is turned over.",
-            radius=mark.radius,
-            angle=degrees(mark.angle),
+            "Mark {side} of {of}, seen from the axis outwards on this face: on the other side the disc is turned over.",
             side=Message("left") if left else Message("right"),
             of=of,
         )
-    if blank.hub and blank.hub.set_screw:
-        screw = blank.hub.set_screw
-        drawn = _screw(cam)
-        yield (
-            Message("Set screw at θ = {angle:g}°.", angle=degrees(screw.angle))
-            if drawn and drawn.thread
-            else Message(
-                "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the disc's face, at θ ="
-                " {angle:g}°.",
-                diameter=screw.diameter,
-                tapped=cam.fit.tapped(),
-                height=screw.height,
-                angle=degrees(screw.angle),
-            )
-        )
+    if screw := _screw(cam):
+        yield from cam.fit.thread_note(drawn=bool(screw.thread))
     yield from cam.notes

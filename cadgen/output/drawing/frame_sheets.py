@@ -12,7 +12,7 @@ from cadgen.gears.fits import deviations
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames
 from cadgen.output.drawing.placement import Room
-from cadgen.output.drawing.shaft_fit import limits
+from cadgen.output.drawing.shaft_fit import limited
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
@@ -190,7 +190,7 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
         number += 1
         size, name = f"{DIAMETER}{rounded(hole.diameter)}", hole.name
         if hole.fit:
-            size += f" {hole.fit} ({limits(*deviations(f'{hole.fit}/h6', hole.diameter)[0])})"
+            size += limited(hole.diameter, hole.fit)
         if hole.fit and hole.shaft in text.zones:
             name = Message("{hole}, exact place", hole=name)
         yield str(number), _at(hole.u), _at(hole.v), size, name
@@ -268,7 +268,7 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
         cut.append(Stroke(np.array([[at, -2.0], [at, block.depth + 2.0]]), LineKind.CENTRE))
     cut.append(Stroke(np.array([[0.0, -3.0], [0.0, tall + 3.0]]), LineKind.CENTRE))
     low, high = deviations(f"{block.fit}/h6", seat.diameter)[0]
-    fit = f" {block.fit} ({limits(low, high)})"
+    fit = limited(seat.diameter, block.fit)
     beside = scale * seat.diameter / 2 + TEXT * WIDEST * (len(rounded(seat.diameter) + fit) + 1) / 2 + 2.0
     seats = [
         LinearDimension(

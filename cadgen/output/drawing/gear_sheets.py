@@ -10,7 +10,6 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.figures import Figures
-from cadgen.gears.fits import deviations
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
@@ -18,7 +17,7 @@ from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames, outline_tips, rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limits
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limited
 from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
@@ -158,6 +157,7 @@ class GearPart:
         fit: fits and joint of the bore on its shaft.
         notes: further sentences.
         simplified: whether teeth are drawn by ISO 2203, as tip circle and thin root circle.
+        tip_limits: limits of each gear's tip diameter as they follow it; empty where it has none.
         run_outs: circular run-out of each gear's tip circle and of the face, mm; None where none is stated.
         pins: zone of the places of a carrier's pin holes, mm; 0 where none is stated.
         parallel: parallelism of a rack's tips to its back, mm; 0 where the distance of its pinion has no tolerance.
@@ -172,6 +172,7 @@ class GearPart:
     fit: ShaftFit
     notes: tuple[str, ...]
     simplified: bool = False
+    tip_limits: tuple[str, ...]
     run_outs: tuple[tuple[float, float] | None, ...] = ()
     pins: float = 0.0
     parallel: float = 0.0
@@ -214,7 +215,9 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
         at = (width - EDGE - table_width, height - EDGE - 2.0)
-        return (SheetTable(title=title_of_table, at=at, widths=widths, rows=rows, headed=False),)
+        data = SheetTable(title=title_of_table, at=at, widths=widths, rows=rows, headed=False)
+        fits = gear.fit.table(gear.part.blank, (at[0], at[1] - data.height - 2.0))
+        return (data, fits) if fits else (data,)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return beside_title(size), over_title(tables_of(size), table_width, title)
@@ -367,7 +370,9 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         size, fit = blank.bore_diameter, gear.fit.bore_class
         dimensions.append(DiameterDimension(name="bore", centre=(0.0, 0.0), diameter=size, angle=125.0, suffix=fit))
     if isinstance(blank.key, Keyway):
-        dimensions.append(keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, gear.fit.key_class))
+        dimensions.append(
+            keyway_width(blank.key, blank.bore_diameter, 0.7 * gap, scale, gear.fit.key_class(blank.key.width))
+        )
     if holes:
         centres = [complex(_points(hole).mean(axis=0) @ np.array([1.0, 1.0j])) for hole in holes]
         first = centres[len(centres) // 3]
@@ -504,15 +509,16 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         corners = np.array([(start, root), (start, tip), (end, tip), (end, root)])
         strokes += [Stroke(corners * [1.0, side]) for side in (1.0, -1.0)]
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
+        tips = axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out)
         dimensions += [
-            axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out),
+            replace(tips, suffix=gear.tip_limits[number]),
             along_axis(f"width, {name}", (start, end), tip, _reach(part.body) + 0.8 * gap),
         ]
     if is_ring(part.gears[0]):
         outer = rim_diameter(part.gears[0]) / 2
         dimensions.append(axial_diameter("outer diameter", high, outer, high + 1.4 * gap))
     dimensions += _lengths(part, low, high, scale, screw)
-    if screw and (tapped := screw.tapped(0.0, _reach(part.body) + 1.7 * gap, scale)):
+    if screw and (tapped := screw.size_in_section(0.0, _reach(part.body) + 1.7 * gap, scale)):
         dimensions.append(tapped)
     if blank.key:
         more = gear.fit.bore_class if isinstance(blank.key, Flats) else gear.fit.flat_class
@@ -589,7 +595,7 @@ def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: Scre
     reach, first = _reach(body), part.gears[0].width
     row = 0.8
     if screw:
-        yield screw.height(first, (first, -reach - row * gap), scale)
+        yield screw.height(first, (first, -reach - row * gap), scale, beside=-1.0)
         row += 0.9
     if high - low > first:
         yield along_axis("length", (low, high), -reach, -reach - (row + 0.9) * gap)
@@ -614,16 +620,8 @@ def _notes(gear: GearPart) -> Iterator[str]:
     if not gear.files:
         yield Message("Solid: none lies in this folder: make it with cadgen gears.")
     blank = gear.part.blank
-    drawn = ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread)
-    if blank.hub and blank.hub.set_screw and not (drawn and drawn.thread):
-        screw = blank.hub.set_screw
-        yield Message(
-            "Radial hole Ø{diameter:g} through the hub's wall, {tapped}, {height:g} mm from the gear's face, {place}.",
-            diameter=screw.diameter,
-            tapped=gear.fit.tapped(),
-            height=screw.height,
-            place=Message("over the keyway") if isinstance(blank.key, Keyway) else Message("in line with a tooth"),
-        )
+    if screw := ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread):
+        yield from gear.fit.thread_note(drawn=bool(screw.thread))
     if isinstance(blank.key, Keyway):
         yield Message("A tooth of each gear stands on the axis of the keyway.")
     elif isinstance(blank.key, Flats):
@@ -697,9 +695,7 @@ def plate_drawing(
     beside = (table_width + (90.0 if zones else 40.0), TITLE_SIZE[1] + 30.0)
     rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", holes)]
     for axis in axes:
-        hole = f"{axis.bore:g} {axis.hole}".strip() if axis.bore else ""
-        if axis.bore and axis.hole:
-            hole += f" ({limits(*deviations(f'{axis.hole}/h6', axis.bore)[0])})"
+        hole = f"{axis.bore:g}{limited(axis.bore, axis.hole)}" if axis.bore else ""
         rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
 
     def table_of(size: str) -> SheetTable:

@@ -1,6 +1,6 @@
 """Room for texts among the lines of a view: of several places for a dimension or a label, the one crossed least."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TypeVar
 
@@ -14,19 +14,23 @@ from cadgen.output.drawing.sheet import (
     LEVEL,
     SIGN_HEIGHT,
     TEXT,
+    AngularDimension,
     Closed,
     DatumFeature,
     DiameterDimension,
     Dimension,
+    EdgeState,
     Label,
     LinearDimension,
     LineKind,
+    RadiusDimension,
     Stroke,
     SurfaceTexture,
     Symbol,
     ToleranceFrame,
     length_of,
     rounded,
+    width_of,
 )
 
 _CHORD = 0.02  # mm, of curves
@@ -43,8 +47,20 @@ _STEP = 3.0  # mm on paper between places along a dimension line
 _TURNS = (0, *(side * turn for turn in range(8, 180, 8) for side in (1, -1)))  # degrees
 
 
-Placed = TypeVar("Placed", DiameterDimension, LinearDimension, Label, ToleranceFrame, SurfaceTexture, DatumFeature)
-Led = TypeVar("Led", ToleranceFrame, SurfaceTexture)
+Placed = TypeVar(
+    "Placed",
+    DiameterDimension,
+    RadiusDimension,
+    AngularDimension,
+    LinearDimension,
+    Label,
+    ToleranceFrame,
+    SurfaceTexture,
+    EdgeState,
+    DatumFeature,
+)
+Round = TypeVar("Round", DiameterDimension, RadiusDimension)
+Led = TypeVar("Led", ToleranceFrame, SurfaceTexture, EdgeState)
 _LEADERS = (8.0, 11.0, 14.0, 18.0, 23.0)  # mm on paper from a feature to a tolerance frame
 
 
@@ -86,14 +102,23 @@ class Room:
             if not line.beside:
                 self.take(line)
         moved = {name: self.linear(_number_places(each, self._scale)) for name, each in lines.items() if each.beside}
-        return tuple(
-            self.diameter(each) if isinstance(each, DiameterDimension) else moved.get(each.name, each)
-            for each in dimensions
-        )
+        return tuple(self._placed(each, moved) for each in dimensions)
 
-    def diameter(self, dimension: DiameterDimension) -> DiameterDimension:
+    def _placed(self, each: Dimension, moved: Mapping[str, LinearDimension]) -> Dimension:
+        """A dimension where there is room, after the lengths with numbers beside their lines."""
+        if isinstance(each, DiameterDimension):
+            return self.diameter(each)
+        if isinstance(each, RadiusDimension):
+            return self.diameter(each)
+        if isinstance(each, AngularDimension):
+            radii = [each.radius + step / self._scale for step in np.arange(-24.0, 25.0, 3.0)]
+            every = [(replace(each, radius=radius), _FAR * abs(radius - each.radius)) for radius in radii if radius > 0]
+            return self._best(every)
+        return moved.get(each.name, each)
+
+    def diameter(self, dimension: Round) -> Round:
         """The dimension with its text where it is crossed least, a little turned or farther out if need be."""
-        near = self._scale * dimension.diameter / 2 + _OUT
+        near = self._scale * _radius(dimension) + _OUT
         centre = float(np.hypot(*dimension.centre)) * self._scale
         far = max(self._reach + centre, near) + 12.0
         ways = np.arange(near - 3.0, far, _STEP)
@@ -154,7 +179,9 @@ class Room:
                 every.append((placed, _FAR * way * (number + 1) + 2.0 * float(abs(out[1]) > 0.97)))
         return self._best(every)
 
-    def datum(self, datum: DatumFeature, reaches: Sequence[float] = (8.0, 10.0, 12.5, 15.0)) -> DatumFeature:
+    def datum(
+        self, datum: DatumFeature, reaches: Sequence[float] = (8.0, 10.0, 12.5, 15.0, 18.0, 21.0)
+    ) -> DatumFeature:
         """A datum with its letter as near to the feature as there is room.
 
         Args:
@@ -184,7 +211,7 @@ class Room:
             box, drawn = self._drawn(each[0])
             lines, air = shapely.union_all(drawn), box.buffer(_AIR)
             # A frame is wide: it may stand in the corners beside a disc.
-            order = np.inf if isinstance(each[0], ToleranceFrame | SurfaceTexture) else 2
+            order = np.inf if isinstance(each[0], ToleranceFrame | SurfaceTexture | EdgeState) else 2
             farthest = float(np.linalg.norm(shapely.get_coordinates([box, lines]), ord=order, axis=1).max())
             outside = _OUTSIDE * max(farthest - self._reach - _FRAME, 0.0)
             text = _HEAVY * (self._heavy.intersection(air).length + self._texts.intersection(air).area)
@@ -221,6 +248,11 @@ class Room:
             box = shapely.box(near, bend[1] + 0.2, far, bend[1] + SIGN_HEIGHT)
             level = bend + np.array([side * (LEVEL + placed.width), 0.0])
             return box, [shapely.LineString([tip + 0.02 * (bend - tip), bend, level])]
+        if isinstance(placed, EdgeState):
+            tip, bend = scale * np.array(placed.tip), scale * np.array(placed.bend)
+            before = TEXT * width_of(placed.before)
+            box = shapely.box(bend[0] - before - 1.5, bend[1] - 1.3, bend[0] + placed.width - before, bend[1] + 3.4)
+            return box, [shapely.LineString([tip + 0.02 * (bend - tip), bend])]
         if isinstance(placed, DatumFeature):
             foot, half = scale * np.array(placed.foot), FRAME_HEIGHT / 2
             x, y = foot + placed.reach * _unit(placed.angle)
@@ -229,21 +261,34 @@ class Room:
             ]
         if isinstance(placed, Label):
             return _box(placed.text, scale * np.array(placed.at), 0.0, placed.height, above=False), []
-        sign = placed.sign if isinstance(placed, DiameterDimension) else ""
-        text = f"{placed.prefix}{sign}{rounded(length_of(placed))}{placed.suffix}"
-        if isinstance(placed, DiameterDimension):
+        if isinstance(placed, AngularDimension):
+            turns = np.linspace(placed.start, placed.end, 33)
+            arc = scale * (np.array(placed.centre) + placed.radius * np.array([_unit(turn) for turn in turns]))
+            text, angle = f"{rounded(length_of(placed), 2)}°", turns[16] - 90.0
+            return _box(text, arc[16], angle, TEXT, above=True), [shapely.LineString(arc)]
+        if isinstance(placed, DiameterDimension | RadiusDimension):
+            whole = isinstance(placed, DiameterDimension)
+            sign = f"{placed.prefix}{placed.sign}" if isinstance(placed, DiameterDimension) else "R"
+            text = f"{sign}{rounded(length_of(placed))}{placed.suffix}"
             along = _unit(placed.angle)
-            centre = scale * np.array(placed.centre)
-            middle = centre + (placed.reach or scale * placed.diameter / 2 + _OUT) * along
+            centre, radius = scale * np.array(placed.centre), scale * _radius(placed)
+            middle = centre + (placed.reach or radius + _OUT) * along
             # As long as the text of letters as wide as they are high, which is how the DXF has it.
-            line = shapely.LineString([centre, middle + (TEXT * len(text) / 2 + _AIR) * along])
+            begin = centre if whole else centre + (radius + 0.1) * along
+            line = shapely.LineString([begin, middle + (TEXT * len(text) / 2 + _AIR) * along])
             return _box(text, middle, placed.angle, TEXT, above=True), [line]
+        text = f"{placed.prefix}{rounded(length_of(placed))}{placed.suffix}"
         along = _unit(placed.angle)
         base, start, end = (scale * np.array(point) for point in (placed.at, placed.start, placed.end))
         first, last = (base + along * float((point - base) @ along) for point in (start, end))
         lines = [shapely.LineString(pair) for pair in ((first, last), (start, first), (end, last))]
         middle = (first + last) / 2 + (placed.beside or 0.0) * along
         return _box(text, middle, placed.angle, TEXT, above=True), lines
+
+
+def _radius(dimension: DiameterDimension | RadiusDimension) -> float:
+    """Radius of the circle that is dimensioned, mm."""
+    return dimension.radius if isinstance(dimension, RadiusDimension) else dimension.diameter / 2
 
 
 def _number_places(dimension: LinearDimension, scale: float) -> Iterator[LinearDimension]:

@@ -11,6 +11,7 @@ import shapely
 
 from cadgen.arrays import Array
 from cadgen.output.drawing.sheet import (
+    DIAMETER,
     SHORT,
     TAIL,
     TEXT,
@@ -191,70 +192,67 @@ class ScrewHole:
         yield Stroke(np.array([[height, middle - 1.5 * half], [height, middle + 1.5 * half]]), LineKind.CENTRE)
         yield Stroke(np.array([[height - 1.5 * half, middle], [height + 1.5 * half, middle]]), LineKind.CENTRE)
 
-    def height(self, face: float, at: tuple[float, float], scale: float) -> LinearDimension:
+    def height(self, face: float, at: tuple[float, float], scale: float, beside: float) -> LinearDimension:
         """Dimension of its height above the face at z = `face` (mm), the dimension line through `at`.
 
         Args:
             face: height of the face, mm.
             at: point of the dimension line, mm.
             scale: mm on paper for a mm of the part.
+            beside: side on which a number without room between its arrows stands, 1 or -1 along the axis.
         """
         up = self.hole.height - face
         long = TEXT * WIDEST * len(rounded(abs(up)))
-        narrow = scale * abs(up) < max(SHORT, long + 1.0)  # its number stands under the disc, where nothing else does
+        narrow = scale * abs(up) < max(SHORT, long + 1.0)
         return LinearDimension(
             name="set screw height",
             start=(face, -self.outer),
             end=(self.hole.height, -self.outer),
             at=at,
-            beside=-np.sign(up) * (scale * abs(up) / 2 + long / 2 + 0.8) if narrow else 0.0,
+            beside=beside * (scale * abs(up) / 2 + long / 2 + 0.8) if narrow else 0.0,
         )
 
-    def tapped(self, angle: float, at: float, scale: float) -> LinearDimension | None:
-        """Dimension of its thread in the section at `angle`; None without a thread, or where the hole is not upwards.
+    def size_in_section(self, angle: float, at: float, scale: float) -> LinearDimension | None:
+        """Dimension of its thread, or of the hole, in the section at `angle`; None where the hole is not upwards in it.
 
         Args:
             angle: polar angle of the plane, rad.
             at: distance of the dimension line from the axis, mm.
             scale: mm on paper for a mm of the part.
         """
-        if not self.thread or not self._in_plane(angle) or cos(self.hole.angle - angle) < 0.0:
+        if not self._in_plane(angle) or cos(self.hole.angle - angle) < 0.0:
             return None
-        ends = self.hole.height + self.thread / 2 * np.array([-1.0, 1.0])
-        held = along_axis("set screw", (float(ends[0]), float(ends[1])), self.outer, at)
-        return replace(held, prefix="M", suffix=self.pitch, beside=self._beside(scale))
+        ends = self.hole.height + self._size / 2 * np.array([-1.0, 1.0])
+        return self._said(along_axis("set screw", (float(ends[0]), float(ends[1])), self.outer, at), scale)
 
-    def tapped_on_face(self, gap: float, scale: float) -> LinearDimension | None:
-        """Dimension of its thread in the view along the axis; None without a thread.
+    def size_on_face(self, gap: float, scale: float) -> LinearDimension:
+        """Dimension of its thread, or of the hole, in the view along the axis.
 
         Args:
             gap: distance of the dimension line from the hub, mm.
             scale: mm on paper for a mm of the part.
         """
-        if not self.thread:
-            return None
         along = np.array([cos(self.hole.angle), sin(self.hole.angle)])
-        across = self.thread / 2 * np.array([-along[1], along[0]])
+        across = self._size / 2 * np.array([-along[1], along[0]])
         (x, y), (left, low), (right, high) = (
             ((self.outer + gap) * along).tolist(),
             (self.outer * along - across).tolist(),
             (self.outer * along + across).tolist(),
         )
-        return LinearDimension(
-            name="set screw",
-            start=(left, low),
-            end=(right, high),
-            at=(x, y),
-            angle=float(np.degrees(self.hole.angle)) + 90.0,
-            prefix="M",
-            suffix=self.pitch,
-            beside=self._beside(scale),
-        )
+        angle = float(np.degrees(self.hole.angle)) + 90.0
+        held = LinearDimension(name="set screw", start=(left, low), end=(right, high), at=(x, y), angle=angle)
+        return self._said(held, scale)
 
-    def _beside(self, scale: float) -> float:
-        """Way from the middle of the thread to its name beside the arrows, mm on paper."""
-        wide, long = scale * self.thread, TEXT * WIDEST * len(f"M{rounded(self.thread)}{self.pitch}")
-        return wide / 2 + (TAIL if wide < SHORT else 0.0) + long / 2 + 1.0
+    @property
+    def _size(self) -> float:
+        return self.thread or self.hole.diameter
+
+    def _said(self, held: LinearDimension, scale: float) -> LinearDimension:
+        """The dimension with the letter of a thread or the sign of a diameter, its number beside the arrows."""
+        prefix = "M" if self.thread else DIAMETER
+        wide, long = scale * self._size, TEXT * WIDEST * len(f"M{rounded(self._size)}{self.pitch}")
+        beside = wide / 2 + (TAIL if wide < SHORT else 0.0) + long / 2 + 1.0
+        return replace(held, prefix=prefix, suffix=self.pitch, beside=beside)
 
     def _in_plane(self, angle: float) -> bool:
         return abs(sin(self.hole.angle - angle)) < _BESIDE

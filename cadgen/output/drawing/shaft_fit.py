@@ -1,4 +1,4 @@
-"""Fits of a part on its shaft as a sheet states them: classes beside dimensions, and limit deviations in the notes.
+"""Fits of a part on its shaft as a sheet states them: classes beside dimensions, and limit deviations in a table.
 
 The keyway of a hub may be deeper than stated, and no shallower, by limits that go with the key's width (DIN 6885-1,
 depth t2; GB/T 1095 has the same). Its width is P9 for a tight key, JS9 for an easy one, and the key itself h9.
@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from cadgen.design.blank import Held, ShaftJoint
-from cadgen.gears.fits import deviations, zones_of
+from cadgen.gears.fits import STEPS, deviations, zones_of
 from cadgen.messages import Message
-from cadgen.output.drawing.sheet import rounded
+from cadgen.output.drawing.sheet import DIAMETER, SheetTable, rounded
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats, Keyway
 
@@ -21,6 +21,7 @@ _TIGHT = {
     ShaftJoint.PINNED: Message("pinned"),
     ShaftJoint.GLUED: Message("glued"),
 }
+_TIGHT_KEY = "P9"  # of a keyway whose key has no play (DIN 6885-1)
 _DIGITS = 4  # of deviations, mm: half a grade may end in half a micrometre
 
 
@@ -66,45 +67,57 @@ class ShaftFit:
     @property
     def bore_class(self) -> str:
         """Class of the bore after its diameter, with a blank before it; empty where there is none."""
-        return _after(self.bore)
+        return _after(hole_class(self.bore))
 
-    @property
-    def key_class(self) -> str:
-        """Class of the keyway after its width, likewise."""
-        return _after(self.joint_fit) if self.joint == ShaftJoint.KEYED else ""
+    def key_class(self, width: float) -> str:
+        """Class of the keyway after its width, likewise; P9 of a part that is held without play.
+
+        Args:
+            width: width of the keyway, mm.
+        """
+        if self.joint == ShaftJoint.KEYED:
+            return _after(hole_class(self.joint_fit))
+        return _after(_TIGHT_KEY) if self.joint in _TIGHT and width <= STEPS[-1] else ""
 
     @property
     def flat_class(self) -> str:
         """Class of the bore across its flat, likewise."""
-        return _after(self.joint_fit) if self.joint == ShaftJoint.D_FLAT else ""
+        return _after(hole_class(self.joint_fit)) if self.joint == ShaftJoint.D_FLAT else ""
+
+    def table(self, blank: Blank, at: tuple[float, float]) -> SheetTable | None:
+        """Limit deviations of the classes of bore and keyway or flat; None where no class is stated.
+
+        Args:
+            blank: bore and keyway or flat of the part.
+            at: upper left corner on the paper, mm.
+        """
+        bore, key = blank.bore_diameter, blank.key
+        sizes = []
+        if bore:
+            sizes.append(("" if isinstance(key, Flats) else DIAMETER, bore, bore, self.bore_class))
+        if isinstance(key, Keyway):
+            sizes.append(("", key.width, key.width, self.key_class(key.width)))
+        if isinstance(key, DFlat):
+            sizes.append(("", bore - key.depth, bore, self.flat_class))
+        rows = tuple(
+            (f"{sign}{rounded(size)}{named}", limited(by, named.strip()).partition("(")[2].rstrip(")"))
+            for sign, size, by, named in sizes
+            if named
+        )
+        title = Message("limits, mm")
+        return SheetTable(title=title, at=at, widths=(24.0, 30.0), rows=rows, headed=False) if rows else None
 
     def notes(self, blank: Blank) -> Iterator[Message]:
-        """Sentences on bore and joint, with the limit deviations of their fits.
+        """Sentences on the joint, and on fits and thread that are not stated.
 
         Args:
             blank: bore and keyway or flat of the part.
         """
-        bore, key = blank.bore_diameter, blank.key
-        if self.bore:
-            flats = isinstance(key, Flats)
-            name = Message("Across flats {size:g}", size=bore) if flats else Message("Bore Ø{size:g}", size=bore)
-            yield fit_limits(name, Message("shaft"), self.bore, bore)
-        else:
+        key = blank.key
+        if not self.bore:
             yield Message("Fit of the bore: not stated; choose it with the shaft.")
-        if isinstance(key, Keyway):
-            yield Message(
-                "Bore and keyway {size}: {deviations} mm (DIN 6885-1).",
-                size=rounded(bore + key.depth),
-                deviations=limits(0.0, deeper(key.width)),
-            )
-            if self.joint != ShaftJoint.KEYED:
-                yield Message("Fit of the keyway: not stated; choose it with the key.")
-            elif self.joint_fit:
-                yield fit_limits(Message("Keyway {size:g}", size=key.width), Message("key"), self.joint_fit, key.width)
-        across = bore - key.depth if isinstance(key, DFlat) else self.across
-        if self.joint == ShaftJoint.D_FLAT and self.joint_fit and across:
-            name = Message("Across the flat {size}", size=rounded(across))
-            yield fit_limits(name, Message("D-shaft"), self.joint_fit, bore)
+        if isinstance(key, Keyway) and not self.key_class(key.width) and not self.clearance:
+            yield Message("Fit of the keyway: not stated; choose it with the key.")
         if self.clearance:
             part = Message("key") if self.joint == ShaftJoint.KEYED else Message("D-shaft")
             least, most = self.clearance
@@ -112,9 +125,16 @@ class ShaftFit:
         elif self.joint in _TIGHT:
             yield Message("On its shaft without play: {joint}.", joint=_TIGHT[self.joint])
 
-    def tapped(self) -> Message:
-        """Thread of the set screw's hole, in words."""
-        return Message("to be tapped {thread}", thread=self.thread) if self.thread else Message("to be tapped")
+    def thread_note(self, *, drawn: bool) -> Iterator[Message]:
+        """Sentence on the thread of a set screw that no dimension names.
+
+        Args:
+            drawn: whether a dimension names it.
+        """
+        if not self.thread:
+            yield Message("Thread of the set screw: not stated; choose it with the screw.")
+        elif not drawn:
+            yield Message("Hole of the set screw tapped {thread}.", thread=self.thread)
 
 
 def deeper(width: float) -> float:
@@ -145,27 +165,18 @@ def hole_class(fit: str | None) -> str:
     return f"{letter}{grade}"
 
 
-def _after(fit: str | None) -> str:
-    return f" {hole_class(fit)}" if fit else ""
+def _after(named: str) -> str:
+    return f" {named}" if named else ""
 
 
-def fit_limits(name: Message, other: Message, fit: str, size: float) -> Message:
-    """Limit deviations of both partners of a fit.
+def limited(size: float, named: str) -> str:
+    """Class of a size and its limit deviations as they follow the size (ISO 129-1), such as ` H7 (+0.015/0)`.
 
     Args:
-        name: feature of the part, with its size.
-        other: what goes in it.
-        fit: fit by ISO 286.
-        size: size that its zones go by, mm.
+        size: size that its zone goes by, mm.
+        named: class of a hole or shaft; empty for none.
     """
-    *_, shaft, grade = zones_of(fit)
-    hole_zone, shaft_zone = deviations(fit, size)
-    return Message(
-        "{name} {hole}: {hole_zone}; {other} {shaft}: {shaft_zone} mm.",
-        name=name,
-        hole=hole_class(fit),
-        hole_zone=limits(*hole_zone),
-        other=other,
-        shaft=f"{shaft}{grade}",
-        shaft_zone=limits(*shaft_zone),
-    )
+    if not named:
+        return ""
+    hole, shaft = deviations(f"{named}/h6" if named[0].isupper() else f"H7/{named}", size)
+    return f" {named} ({limits(*(hole if named[0].isupper() else shaft))})"

@@ -139,7 +139,51 @@ class DiameterDimension:
     exact: bool = False
 
 
-Dimension = LinearDimension | DiameterDimension
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RadiusDimension:
+    """Radius about a centre, its arrow on the curve from outside, and its number at the end of that line.
+
+    Attributes:
+        name: what is dimensioned.
+        centre: centre, mm on the part.
+        radius: radius, mm.
+        angle: direction of the dimension line, degrees.
+        suffix: text after the number.
+        reach: distance of its text from the centre, mm on paper; 0 for 9 mm outside the curve.
+        exact: whether it is theoretically exact, as of a length.
+    """
+
+    name: str
+    centre: tuple[float, float]
+    radius: float
+    angle: float = 45.0
+    suffix: str = ""
+    reach: float = 0.0
+    exact: bool = False
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AngularDimension:
+    """Angle between two directions about a centre, counterclockwise, its number at the middle of its arc.
+
+    Attributes:
+        name: what is dimensioned.
+        centre: centre, mm on the part.
+        start: first direction, degrees.
+        end: second direction, degrees, greater than the first by less than 360.
+        radius: radius of the dimension line, mm on the part.
+        exact: whether it is theoretically exact, as of a length.
+    """
+
+    name: str
+    centre: tuple[float, float]
+    start: float
+    end: float
+    radius: float
+    exact: bool = False
+
+
+Dimension = LinearDimension | DiameterDimension | RadiusDimension | AngularDimension
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -251,7 +295,39 @@ class SurfaceTexture:
         return SIGN + TEXT * width_of(self.value)
 
 
-Symbol = ToleranceFrame | DatumFeature | SurfaceTexture
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EdgeState:
+    """State of the edges of an outline (ISO 13715): the sign on a leader, and how far an edge may be off.
+
+    Attributes:
+        count: number of edges alike, one on either face.
+        size: greatest that may be taken off, mm.
+        tip: point of the outline, mm on the part, at which the leader ends.
+        bend: where the leader ends in the corner of the sign, mm on the part.
+    """
+
+    count: int
+    size: float
+    tip: tuple[float, float]
+    bend: tuple[float, float]
+
+    @property
+    def value(self) -> str:
+        """Size with its sign: material off the edge, and no burr."""
+        return f"-{rounded(self.size)}"
+
+    @property
+    def before(self) -> str:
+        """Number of edges, before the sign."""
+        return f"{self.count} × " if self.count > 1 else ""
+
+    @property
+    def width(self) -> float:
+        """Width of number, sign and value, mm on paper."""
+        return TEXT * (width_of(self.before) + width_of(self.value)) + 4.0
+
+
+Symbol = ToleranceFrame | DatumFeature | SurfaceTexture | EdgeState
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -264,7 +340,7 @@ class View:
         hatches: cut material.
         dimensions: dimensions.
         labels: texts.
-        symbols: geometrical tolerances, datums and textures of surfaces.
+        symbols: geometrical tolerances, datums, textures of surfaces and states of edges.
     """
 
     place: tuple[float, float]
@@ -317,7 +393,8 @@ class Title:
         drawn_by: who made the drawing, likewise.
         approved_by: who approved it, likewise.
         verdict: verdict on the part in a line over the block; empty for a part that is ready, or is not judged.
-        edge: how much may be taken off edges that have no size of their own (ISO 13715), mm.
+        edge: how much may be taken off outer edges that have no size of their own, or stand in inner ones (ISO 13715),
+            mm.
     """
 
     part: str
@@ -418,15 +495,19 @@ class DrawingSheet:
 
     @property
     def dimensions(self) -> dict[str, float]:
-        """Length of every dimension by its name, mm on the part."""
+        """Length of every dimension by its name, mm on the part; angles in degrees."""
         every = [dimension for view in self.views for dimension in view.dimensions]
         return {dimension.name: length_of(dimension) for dimension in every}
 
 
 def length_of(dimension: Dimension) -> float:
-    """Length that a dimension states, mm on the part."""
+    """Length that a dimension states, mm on the part; an angle in degrees."""
     if isinstance(dimension, DiameterDimension):
         return dimension.diameter
+    if isinstance(dimension, RadiusDimension):
+        return dimension.radius
+    if isinstance(dimension, AngularDimension):
+        return dimension.end - dimension.start
     along = np.array([np.cos(np.radians(dimension.angle)), np.sin(np.radians(dimension.angle))])
     return abs(float((np.array(dimension.end) - np.array(dimension.start)) @ along))
 
@@ -603,7 +684,7 @@ def keyway_width(key: Keyway, bore_diameter: float, gap: float, scale: float, su
 
 
 def bore_and_keyway(blank: Blank, suffix: str, z: float, at: float, scale: float) -> LinearDimension:
-    """Dimension of bore and keyway, or of a bore across its flats; limits follow where its line has room for them.
+    """Dimension of bore and keyway, or of a bore across its flats, with limits; over the hub where there is no room.
 
     Args:
         blank: part with a keyway or flats.
@@ -618,11 +699,12 @@ def bore_and_keyway(blank: Blank, suffix: str, z: float, at: float, scale: float
     elif isinstance(blank.key, DFlat):
         high, name = high - blank.key.depth, "across the flat"
     long = TEXT * WIDEST * len(rounded(high - low) + suffix)
-    plain = across_axis(name, z, (low, high), at)
+    plain = replace(across_axis(name, z, (low, high), at), suffix=suffix)
     if scale * (high - low) >= long:
-        return replace(plain, suffix=suffix)
-    beside = scale * (high - low) / 2 + long / 2 + 1.0
-    return plain if blank.hub else replace(plain, suffix=suffix, beside=beside)
+        return plain
+    # Over the hub's extension line, which its number would lie on.
+    over = max(high, blank.hub.diameter / 2 if blank.hub else 0.0)
+    return replace(plain, beside=scale * (over - (low + high) / 2) + long / 2 + 1.0)
 
 
 def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, Label]]:

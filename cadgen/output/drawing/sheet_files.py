@@ -49,14 +49,18 @@ from cadgen.output.drawing.sheet import (
     TITLE_SIZE,
     TRIANGLE,
     WIDE,
+    AngularDimension,
     Characteristic,
     Closed,
     DatumFeature,
     DiameterDimension,
     Dimension,
     DrawingSheet,
+    EdgeState,
     Hatch,
+    LinearDimension,
     LineKind,
+    RadiusDimension,
     SheetTable,
     Stroke,
     SurfaceTexture,
@@ -64,6 +68,7 @@ from cadgen.output.drawing.sheet import (
     View,
     height_within,
     is_wide,
+    length_of,
     placed_notes,
     rounded,
     scale_text,
@@ -111,6 +116,7 @@ _SYMBOLS = {
         np.array([[0.26, 0.02], [0.5, 0.6], [-0.04, 0.27], [0.26, 0.02]]),
     ),
 }
+_ANGULAR = (2, 5)  # types of dimensions that are angles
 _DIMGAP = 0.6  # mm on paper between a dimension line and its number
 
 
@@ -265,6 +271,8 @@ class _Place:
                 self._datum(symbol)
             elif isinstance(symbol, ToleranceFrame):
                 self._tolerance(symbol)
+            elif isinstance(symbol, EdgeState):
+                self._edge(symbol)
             else:
                 self._texture(symbol)
         for label in self.view.labels:
@@ -281,6 +289,17 @@ class _Place:
             x, y = min(end.x, bend.x + side * LEVEL), bend.y
         _surface_symbol(self.space, x, y)
         _text(self.space, texture.value, (x + SIGN, y + 1.6), TEXT)
+
+    def _edge(self, edge: EdgeState) -> None:
+        layer = {"layer": LineKind.DIMENSION.value}
+        tip, bend = Vec2(self._on_paper(edge.tip)), Vec2(self._on_paper(edge.bend))
+        way = (tip - bend).normalize()
+        across, back = way.orthogonal() * (2.5 / 6), tip - way * 2.5
+        self.space.add_line(tip, bend, dxfattribs=layer)
+        self.space.add_solid([back + across, back - across, tip, tip], dxfattribs=layer)
+        _edge_sign(self.space, bend, edge.value, LineKind.DIMENSION, circled=True)
+        if before := edge.before.rstrip():
+            _text(self.space, before, (bend.x - 2.0 - TEXT * text_length(before), bend.y + 0.5), TEXT)
 
     def _leader(self, tip: Vec2, bend: Vec2, end: Vec2, *, circled: bool) -> None:
         """Leader with its arrow at a point, and the circle that says all around."""
@@ -355,59 +374,109 @@ class _Place:
                 self.space.add_line(*np.asarray(piece.coords).tolist(), dxfattribs={"layer": LineKind.HATCH.value})
 
     def _dimension(self, dimension: Dimension) -> None:
-        # Of "<>" in a diameter some readers make its sign, and some do not.
-        number = f"{dimension.sign}{rounded(dimension.diameter)}" if isinstance(dimension, DiameterDimension) else "<>"
-        text = f"{dimension.prefix}{number}{self.say(dimension.suffix)}"
+        text = self._number(dimension)
         attributes = {"layer": LineKind.DIMENSION.value}
         letters = {"dimtxsty": _style(self.space, text)} if any(map(is_wide, text)) else {}
         made: ezdxf.entities.DimStyleOverride
-        if isinstance(dimension, DiameterDimension):
+        if isinstance(dimension, DiameterDimension | RadiusDimension):
             # The text stands outside the circle, on the dimension line's own side.
-            centre = self._on_paper(dimension.centre)
-            reach = dimension.reach or self.scale * dimension.diameter / 2 + 9.0
-            made = self.space.add_diameter_dim(
+            centre, whole = self._on_paper(dimension.centre), isinstance(dimension, DiameterDimension)
+            radius = self.scale * length_of(dimension) / (2 if whole else 1)
+            made = (self.space.add_diameter_dim if whole else self.space.add_radius_dim)(
                 center=Vec2(centre),
-                radius=self.scale * dimension.diameter / 2,
+                radius=radius,
                 angle=dimension.angle,
                 text=text,
                 dimstyle=_STYLE,
-                override={"dimtad": 1, "dimtofl": 1, "dimtmove": 0, **letters},
-                location=Vec2(centre) + Vec2.from_deg_angle(dimension.angle, reach),
+                override={"dimtad": 1, "dimtofl": int(whole), "dimtmove": 0, **letters},
+                location=Vec2(centre) + Vec2.from_deg_angle(dimension.angle, dimension.reach or radius + 9.0),
+                dxfattribs=attributes,
+            )
+        elif isinstance(dimension, AngularDimension):
+            made = self.space.add_angular_dim_cra(
+                center=self._on_paper(dimension.centre),
+                radius=self.scale * dimension.radius - 1.0,
+                start_angle=dimension.start,
+                end_angle=dimension.end,
+                distance=1.0,
+                text=text,
+                dimstyle=_STYLE,
+                override={"dimse1": 1, "dimse2": 1},
                 dxfattribs=attributes,
             )
         else:
-            upright = 90.0 - (90.0 - dimension.angle) % 180.0  # so that no number stands on its head
-            ends = sorted((dimension.start, dimension.end), key=Vec2.from_deg_angle(upright).dot)
-            place = None
-            if dimension.beside:
-                # The number stands beside the middle of its dimension line, above that line.
-                along = Vec2.from_deg_angle(dimension.angle)
-                base, *marks = (Vec2(self._on_paper(at)) for at in (dimension.at, dimension.start, dimension.end))
-                middle = sum(((mark - base).dot(along) for mark in marks), 0.0) / 2
-                above = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0) * (_DIMGAP + TEXT / 2)
-                place = base + along * (middle + dimension.beside) + above
-            made = self.space.add_linear_dim(
-                base=self._on_paper(dimension.at),
-                p1=self._on_paper(ends[0]),
-                p2=self._on_paper(ends[1]),
-                location=place,
-                angle=upright,
-                text=text,
-                dimstyle=_STYLE,
-                override={**({"dimtmove": 2, "dimtofl": 1} if dimension.beside else {}), **letters},
-                dxfattribs=attributes,
-            )
+            made = self._linear(dimension, text, letters)
         made.render()
         made.dimension.dxf.text = text.replace(DIAMETER, _SIGN)
         for drawn in made.dimension.get_geometry_block().query("MTEXT"):
+            along, middle = Vec2.from_deg_angle(float(drawn.get_rotation())), Vec2(drawn.dxf.insert)
+            half = along * (text_length(drawn.plain_text()) * TEXT / 2 + 0.8)
             if dimension.exact:
-                along = Vec2.from_deg_angle(float(drawn.get_rotation()))
-                across, middle = along.orthogonal() * (TEXT / 2 + 0.5), Vec2(drawn.dxf.insert)
-                along *= text_length(drawn.plain_text()) * TEXT / 2 + 0.8
-                corners = [middle + x * along + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+                across = along.orthogonal() * (TEXT / 2 + 0.5)
+                corners = [middle + x * half + y * across for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
                 self.space.add_lwpolyline(corners, close=True, dxfattribs=attributes)
+            if isinstance(dimension, LinearDimension) and dimension.beside:
+                self._under(dimension, middle, half)
             drawn.text = drawn.text.replace(DIAMETER, _SIGN)
         made.dimension.set_xdata(APP, [(1000, dimension.name)])
+
+    def _number(self, dimension: Dimension) -> str:
+        """Text of a dimension: of "<>" in a diameter some readers make its sign, and some do not."""
+        match dimension:
+            case DiameterDimension():
+                number = f"{dimension.prefix}{dimension.sign}{rounded(dimension.diameter)}"
+            case RadiusDimension():
+                number = f"R{rounded(dimension.radius)}"
+            case AngularDimension():
+                return f"{rounded(length_of(dimension), 2)}°"
+            case _:
+                number = f"{dimension.prefix}<>"
+        return f"{number}{self.say(dimension.suffix)}"
+
+    def _linear(
+        self, dimension: LinearDimension, text: str, letters: Mapping[str, str]
+    ) -> ezdxf.entities.DimStyleOverride:
+        upright = 90.0 - (90.0 - dimension.angle) % 180.0  # so that no number stands on its head
+        ends = sorted((dimension.start, dimension.end), key=Vec2.from_deg_angle(upright).dot)
+        place = None
+        if dimension.beside:
+            # The number stands beside the middle of its dimension line, above that line.
+            along, (first, last) = Vec2.from_deg_angle(dimension.angle), self._line_ends(dimension)
+            above = Vec2.from_deg_angle(180.0 - (90.0 - dimension.angle) % 180.0) * (_DIMGAP + TEXT / 2)
+            place = (first + last) / 2 + along * dimension.beside + above
+        return self.space.add_linear_dim(
+            base=self._on_paper(dimension.at),
+            p1=self._on_paper(ends[0]),
+            p2=self._on_paper(ends[1]),
+            location=place,
+            angle=upright,
+            text=text,
+            dimstyle=_STYLE,
+            override={**({"dimtmove": 2, "dimtofl": 1} if dimension.beside else {}), **letters},
+            dxfattribs={"layer": LineKind.DIMENSION.value},
+        )
+
+    def _line_ends(self, dimension: LinearDimension) -> tuple[Vec2, Vec2]:
+        """Ends of a dimension line on the paper."""
+        along = Vec2.from_deg_angle(dimension.angle)
+        base, *marks = (Vec2(self._on_paper(at)) for at in (dimension.at, dimension.start, dimension.end))
+        first, last = (base + along * (mark - base).dot(along) for mark in marks)
+        return first, last
+
+    def _under(self, dimension: LinearDimension, middle: Vec2, half: Vec2) -> None:
+        """The dimension line drawn on, from its nearer end to under a number beside it (ISO 129-1).
+
+        Args:
+            dimension: dimension whose number stands beside its line.
+            middle: middle of its number on the paper.
+            half: half of the number along the line.
+        """
+        ends = self._line_ends(dimension)
+        near = min(ends, key=middle.distance)
+        other = ends[1] if near is ends[0] else ends[0]
+        out = (near - other).normalize()
+        far = near + out * ((middle - near).dot(out) + half.magnitude)
+        self.space.add_line(near, far, dxfattribs={"layer": LineKind.DIMENSION.value})
 
 
 def _text(
@@ -529,7 +598,7 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
             _text(space, "(", (after, low + 1.4), TEXT)
             _surface_symbol(space, after + 1.2, low + 1.0)
             _text(space, ")", (after + SIGN + 1.0, low + 1.4), TEXT)
-    _edge_symbol(space, x + 2.5 * column + 6.0, y + 3 * row + 1.2, title.edge)
+    _edge_signs(space, x + 2.5 * column + 0.6, y + 3 * row, title.edge)
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
@@ -543,12 +612,42 @@ def _surface_symbol(space: Modelspace, x: float, y: float) -> None:
     space.add_lwpolyline(points, dxfattribs={"layer": LineKind.THIN.value})
 
 
-def _edge_symbol(space: Modelspace, x: float, y: float, off: float) -> None:
-    """The sign of an edge (ISO 13715) and how much may be taken off it; its corner at a point on the paper, mm."""
-    thin = {"layer": LineKind.THIN.value}
-    space.add_lwpolyline([(x, y + 3.6), (x, y), (x + 9.0, y)], dxfattribs=thin)
-    space.add_line((x, y), (x - 1.8, y - 0.9), dxfattribs=thin)
-    _text(space, f"-{rounded(off)}", (x + 0.9, y + 0.6), TEXT)
+def _edge_sign(space: Modelspace, corner: Vec2, value: str, line: LineKind, *, circled: bool = False) -> None:
+    """The sign of an edge (ISO 13715) with a size, its corner at a point on the paper, mm.
+
+    Args:
+        space: sheet.
+        corner: corner of the sign.
+        value: size: below 0 off an outer edge or into an inner one, above 0 in excess.
+        line: layer of its lines.
+        circled: whether a circle at the corner says all around.
+    """
+    start = 1.7 if circled else 0.8
+    corners = [corner + Vec2(0.0, 3.2), corner, corner + Vec2(start + TEXT * text_length(value) + 0.8, 0.0)]
+    space.add_lwpolyline(corners, dxfattribs={"layer": line.value})
+    if circled:
+        space.add_circle(corner, 1.25, dxfattribs={"layer": line.value})
+    _text(space, value, (corner.x + start, corner.y + 0.6), TEXT)
+
+
+def _edge_signs(space: Modelspace, x: float, y: float, size: float) -> None:
+    """Signs for all edges (ISO 13715): an outer one with how much may be off, an inner one with how much may stand.
+
+    Args:
+        space: sheet.
+        x: left end, mm on the paper.
+        y: lower end, mm on the paper.
+        size: that size, mm.
+    """
+    for left, value, sides in (
+        (x, f"-{rounded(size)}", (Vec2(-1.8, 0.0), Vec2(0.0, -0.7))),
+        (x + 13.6, f"+{rounded(size)}", (Vec2(0.0, 1.5), Vec2(1.5, 0.0))),
+    ):
+        corner, apex = Vec2(left + 3.6, y + 1.6), Vec2(left + 2.2, y + 1.0)
+        space.add_line(apex, corner, dxfattribs={"layer": LineKind.THIN.value})
+        edge = [apex + sides[0], apex, apex + sides[1]]
+        space.add_lwpolyline(edge, dxfattribs={"layer": LineKind.VISIBLE.value})
+        _edge_sign(space, corner, value, LineKind.THIN)
 
 
 def _first_angle(space: Modelspace, x: float, y: float) -> None:
@@ -569,7 +668,7 @@ def _first_angle(space: Modelspace, x: float, y: float) -> None:
 
 
 def read_dimensions(path: Path) -> dict[str, float]:
-    """Length of every dimension in a file by its name, mm of the part: measured on its points, not its text.
+    """Length of every dimension in a file by its name, mm of the part, or degrees: measured on points, not on text.
 
     Raises:
         FileError: the file is damaged, or has a dimension without a name.
@@ -592,7 +691,8 @@ def read_dimensions(path: Path) -> dict[str, float]:
                     "{name} has two dimensions named {dimension}: write it again", name=path.name, dimension=name
                 )
             factor = document.dimstyles.get(entity.dxf.dimstyle).dxf.dimlfac
-            lengths[name] = float(entity.get_measurement()) * factor
+            angle = entity.dxf.dimtype & 7 in _ANGULAR
+            lengths[name] = float(entity.get_measurement()) * (1.0 if angle else factor)
     except (OSError, ezdxf.DXFError, StopIteration) as error:
         raise FileError(
             "{name} is no whole DXF of a drawing ({error}): write it again", name=path.name, error=str(error)

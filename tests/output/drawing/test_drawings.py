@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+from dataclasses import replace
 from math import hypot
 from pathlib import Path
 
@@ -16,7 +17,7 @@ import trimesh
 from cadgen import Design, draw
 from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.jobs.drawings import Folder, _as_given, sheet_of
-from cadgen.output.drawing.shaft_fit import deeper, fit_limits, limits
+from cadgen.output.drawing.shaft_fit import deeper, limited, limits
 from cadgen.output.drawing.sheet import DrawingSheet, LinearDimension, Title, View
 from cadgen.output.drawing.sheet_files import document_of, read_dimensions
 from cadgen.output.files.manifest import Origin
@@ -30,23 +31,31 @@ def measured(solid) -> dict[str, set[float]]:
     from build123d import GeomType
 
     on_axis, beside, circle = set(), set(), set()
-    planes, screws = [], set()
+    planes, screws, drills, angles = [], set(), set(), set()
     for face in solid.faces():
         if face.geom_type == GeomType.CYLINDER and abs(face.axis_of_rotation.direction.Z) < 1e-9:
             screws.add(face.axis_of_rotation.position.Z)
+            drills.add(2 * face.radius)
+            way = face.axis_of_rotation.direction
+            angles |= {np.degrees(np.arctan2(side * way.Y, side * way.X)) % 360 for side in (-1, 1)}
         elif face.geom_type == GeomType.CYLINDER:
             place = face.axis_of_rotation.position
             away = hypot(place.X, place.Y)
             (on_axis if away < 1e-6 else beside).add(2 * face.radius)
             if away > 1e-6:
                 circle.add(2 * away)
+                angles.add(np.degrees(np.arctan2(place.Y, place.X)) % 360)
         elif face.geom_type == GeomType.PLANE:
             normal, point = face.normal_at(), face.center()
             planes.append((np.array([*normal]), np.array([*point])))
     gaps = {abs(float((b - a) @ n)) for n, a in planes for m, b in planes if abs(abs(float(n @ m)) - 1) < 1e-9}
     corners = [hypot(vertex.X, vertex.Y) for vertex in solid.vertices()]
     floors = {abs(float(n @ a)) for n, a in planes if abs(n[2]) < 1e-9}
+    angles |= {np.degrees(np.arctan2(-n[1], -n[0])) % 360 for n, _ in planes if abs(n[2]) < 1e-9}  # flat, key's floor
     return {
+        "radius": {each / 2 for each in circle},
+        "drill": drills,
+        "angle": angles | {360 - angle for angle in angles},
         "on the axis": on_axis,
         "beside": beside,
         "circle": circle,
@@ -73,6 +82,8 @@ WHERE = {
     "bore and keyway": "floor",
     "across the flat": "floor",
     "set screw height": "screw",
+    "set screw": "drill",
+    "circle of the mark": "radius",
 }
 
 
@@ -80,8 +91,9 @@ def agree(dimensions: dict[str, float], solid) -> None:
     found = measured(solid)
     assert dimensions
     for name, length in dimensions.items():
-        kind = WHERE.get(name) or ("corner" if name.startswith("tip diameter") else "gap")
-        assert min(abs(length - other) for other in found[kind]) < CLOSE, (name, length, sorted(found[kind]))
+        kind = WHERE.get(name) or ("corner" if name.startswith("tip diameter") else name.split()[-1])
+        others = found.get(kind, found["gap"])
+        assert min(abs(length - other) for other in others) < CLOSE, (name, length, sorted(others))
 
 
 @pytest.fixture(scope="module")
@@ -288,7 +300,7 @@ def test_a_sheet_is_said_in_the_language_that_is_shown(cam, tmp_path, monkeypatc
     (file,) = [file for file in written if file.name.endswith("drawing.dxf")]
     texts = {text.dxf.text: text.dxf.style for text in ezdxf.readfile(file.path).modelspace().query("TEXT")}
     assert texts["绕轴的轮廓"] == texts["比例"] == "CADGEN_CJK"
-    assert not [text for text in texts if "counterclockwise" in text]
+    assert not [text for text in texts if "arrow" in text]
     assert "bore" in read_dimensions(file.path)
     assert [file.name for file in written if file.name.endswith(".pdf")]
     assert "the pages are in English" in written.omitted["translated PDF"]
@@ -417,7 +429,7 @@ def test_the_text_of_a_page_is_found_by_a_search(toleranced, tmp_path, language)
         pytest.skip("this system has no font with Chinese letters")
     found = subprocess.run(["pdftotext", str(page), "-"], capture_output=True, text=True, check=True).stdout
     words = {
-        "en": ["flanks of the groove about the axis", "θ counts counterclockwise", "22.8 +0.1/0", "0.04"],
+        "en": ["flanks of the groove about the axis", "At the arrow of 0°", "θ", "22.8 +0.1/0", "0.04"],
         "zh": ["法定所有者", "22.8 +0.1/0", "ISO 2768-mK"],
     }[language]
     assert [word for word in words if word not in found] == []
@@ -429,6 +441,61 @@ def test_two_dimensions_of_a_sheet_have_two_names():
     assert sheet(views[:1]).dimensions == {"width": 5.0}
     with pytest.raises(ValueError, match="two dimensions of a sheet are named width"):
         sheet(views)
+
+
+def test_angles_and_radii_are_read_from_their_points(tmp_path):
+    """At 2:1: an angle from its three points, which the scale leaves alone, and a radius from its centre to its arc."""
+    import ezdxf
+
+    from cadgen.output.drawing.sheet import AngularDimension, RadiusDimension
+    from cadgen.output.drawing.sheet_files import SheetDocument
+
+    turned = AngularDimension(name="turn", centre=(3.0, 1.0), start=20.0, end=155.5, radius=12.0)
+    bowed = RadiusDimension(name="bow", centre=(3.0, 1.0), radius=12.5, angle=70.0)
+    whole = replace(sheet((View(place=(90.0, 90.0), curves=(), dimensions=(turned, bowed)),)), scale=2.0)
+    (tmp_path / "sheet.dxf").write_bytes(SheetDocument(whole).dxf())
+    assert read_dimensions(tmp_path / "sheet.dxf") == pytest.approx({"turn": 135.5, "bow": 12.5})
+    angle, radius = ezdxf.readfile(tmp_path / "sheet.dxf").modelspace().query("DIMENSION")
+    one, other = (np.subtract(angle.dxf.get(end), angle.dxf.defpoint4)[:2] for end in ("defpoint2", "defpoint3"))
+    along = np.cos(np.radians(135.5)) * np.linalg.norm(one) * np.linalg.norm(other)
+    assert one @ other == pytest.approx(along)
+    assert angle.dxf.text == "135.5°"
+    assert np.hypot(*np.subtract(radius.dxf.defpoint4, radius.dxf.defpoint)[:2]) == pytest.approx(2 * 12.5)
+    assert (np.array(radius.dxf.defpoint)[:2], radius.dxf.text) == (pytest.approx([96.0, 92.0]), "R12.5")
+
+
+def corners_of_edges(space) -> list[tuple[float, float, bool]]:
+    """Corner of each sign of an edge, and whether a circle about it says all around: an upright, then a level line."""
+    rings = [ring.dxf.center.vec2 for ring in space.query("CIRCLE")]
+    found = []
+    for line in space.query("LWPOLYLINE"):
+        points = [*line.vertices()]
+        if len(points) == 3 and not line.closed:
+            (x, y), (a, b), (c, d) = points
+            if abs(x - a) < 1e-9 and abs(b - d) < 1e-9 and 3.0 < y - b < 3.5 and c - a > 5.0:
+                found.append((a, b, any(ring.distance((a, b)) < 1e-9 for ring in rings)))
+    return found
+
+
+def test_the_state_of_edges_is_a_sign_with_its_size(tmp_path):
+    """ISO 13715: an outer and an inner edge in the title block, and both edges of an outline on a leader."""
+    import ezdxf
+
+    from cadgen.output.drawing.sheet import EdgeState
+    from cadgen.output.drawing.sheet_files import SheetDocument
+
+    edges = EdgeState(count=2, size=0.02, tip=(10.0, 0.0), bend=(15.0, 5.0))
+    (tmp_path / "sheet.dxf").write_bytes(
+        SheetDocument(sheet((View(place=(50.0, 90.0), curves=(), symbols=(edges,)),))).dxf()
+    )
+    space = ezdxf.readfile(tmp_path / "sheet.dxf").modelspace()
+    texts = [(text.dxf.text, *text.dxf.insert.vec2) for text in space.query("TEXT")]
+    said = {
+        (next(text for text, a, b in texts if 0 < a - x < 2 and 0 < b - y < 1), around)
+        for x, y, around in corners_of_edges(space)
+    }
+    assert said == {("-0.3", False), ("+0.3", False), ("-0.02", True)}
+    assert [text for text, a, b in texts if a < 65.0 and abs(b - 95.6) < 0.2] == ["2 ×"]
 
 
 @pytest.mark.parametrize(
@@ -498,8 +565,8 @@ def test_a_cam_by_its_motion_says_follower_and_cam_angle(tmp_path):
     sheet = sheet_of(made.computed, Folder.at(tmp_path))
     said = " ".join(sheet.notes)
     assert "Follower: roller, radius 9 mm, offset 8 mm." in said
-    assert "Base circle: radius 32 mm." in said
-    assert "θ counts counterclockwise from the arrow, where the roller stands at cam angle 0." in said
+    assert "Base circle" not in said
+    assert "At the arrow of 0° stands the roller at cam angle 0." in said
 
 
 @pytest.mark.parametrize("angle", range(-180, 181, 15))
@@ -529,18 +596,21 @@ def test_arrows_of_a_dimension_point_from_its_middle_to_its_ends(angle, beside):
 
 # ISO 286-2, tables 6 (H), 10 (JS) and 12 (P) of holes, 8 (g) and 9 (h) of shafts, um.
 @pytest.mark.parametrize(
-    ("fit", "size", "said"),
+    ("named", "size", "said"),
     [
-        ("H7/h6", 8.0, "bore H7: +0.015/0; shaft h6: 0/-0.009 mm."),
-        ("H7/g6", 8.0, "bore H7: +0.015/0; shaft g6: -0.005/-0.014 mm."),
-        ("JS9/h9", 3.0, "bore JS9: ±0.0125; shaft h9: 0/-0.025 mm."),
-        ("P9/h9", 3.0, "bore P9: -0.006/-0.031; shaft h9: 0/-0.025 mm."),
-        ("P9/h9", 6.0, "bore P9: -0.012/-0.042; shaft h9: 0/-0.03 mm."),
-        ("F8/h6", 20.0, "bore F8: +0.053/+0.02; shaft h6: 0/-0.013 mm."),
+        ("H7", 8.0, " H7 (+0.015/0)"),
+        ("h6", 8.0, " h6 (0/-0.009)"),
+        ("g6", 8.0, " g6 (-0.005/-0.014)"),
+        ("JS9", 3.0, " JS9 (±0.0125)"),
+        ("h9", 3.0, " h9 (0/-0.025)"),
+        ("P9", 3.0, " P9 (-0.006/-0.031)"),
+        ("P9", 6.0, " P9 (-0.012/-0.042)"),
+        ("F8", 20.0, " F8 (+0.053/+0.02)"),
+        ("", 20.0, ""),
     ],
 )
-def test_a_fit_is_said_by_its_limit_deviations(fit, size, said):
-    assert fit_limits("bore", "shaft", fit, size) == said
+def test_a_fit_is_said_by_its_limit_deviations(named, size, said):
+    assert limited(size, named) == said
 
 
 def test_a_keyway_may_be_deeper_by_what_its_standard_allows():
@@ -585,14 +655,10 @@ def test_what_holds_a_wheel_on_its_shaft_is_on_its_sheet(design, tmp_path):
 
     for stem in ("carbon_free_car_actual", "carbon_free_car_as-given_4_wheel"):
         notes, dimensions = said(stem)
-        assert "Bore %%c8 H7: +0.015/0; shaft h6: 0/-0.009 mm." in notes
-        assert "Bore and keyway 9.4: +0.1/0 mm (DIN 6885-1)." in notes
-        assert "Keyway 3 JS9: ±0.0125; key h9: 0/-0.025 mm." in notes
-        assert {"%%c8 H7", "<> JS9"} <= dimensions
+        assert {"%%c8 H7", "<> JS9", "<> +0.1/0"} <= dimensions
+        assert "%%c8 H7 +0.015/0 3 JS9 ±0.0125" in notes
         assert "not stated" not in notes.replace("finish not stated", "").replace("material not stated", "")
-    notes, dimensions = said("carbon_free_car_actual")
-    assert "Set screw at θ = 0°." in notes.replace("theta", "θ").replace("%%d", "°")
-    assert "M<>" in dimensions
+    assert "M<>" in said("carbon_free_car_actual")[1]
     notes, dimensions = said("carbon_free_car_as-given_1_pinion")
     assert "tapped" not in notes
     assert "M<> x 0.5" in dimensions
@@ -684,12 +750,11 @@ def test_the_thread_in_a_hub_has_thin_lines_and_its_name(name, size, pitch):
     screw = ScrewHole.of(blank, RadialHole(2.5, 5.0, 13.0, 0.7), name)
     thin = [stroke.points[0, 0] for stroke in screw.section(0.7) if stroke.line == "THIN"]
     assert thin == ([5.0 - size / 2, 5.0 + size / 2] if size else [])
-    on_section, on_face = screw.tapped(0.7, 20.0, 1.0), screw.tapped_on_face(3.0, 1.0)
-    assert (on_section is None, on_face is None) == (not size, not size)
-    assert screw.tapped(2.0, 20.0, 1.0) is None  # out of the plane: on the face
-    for made in filter(None, (on_section, on_face)):
-        assert (made.prefix, made.suffix) == ("M", pitch)
-        assert np.hypot(*np.subtract(made.end, made.start)) == pytest.approx(size)
+    on_section, on_face = screw.size_in_section(0.7, 20.0, 1.0), screw.size_on_face(3.0, 1.0)
+    assert screw.size_in_section(2.0, 20.0, 1.0) is None  # out of the plane: on the face
+    for made in (on_section, on_face):
+        assert (made.prefix, made.suffix) == ("M" if size else "Ø", pitch)
+        assert np.hypot(*np.subtract(made.end, made.start)) == pytest.approx(size or 2.5)
     assert len([stroke for stroke in screw.face() if stroke.line == "HIDDEN"]) == (4 if size else 2)
 
 

@@ -124,8 +124,9 @@ def test_the_groove_has_both_flanks_width_depth_and_the_path_of_its_roller(tmp_p
     ).points
     angle = np.arctan2(path[:, 1], path[:, 0])
     np.testing.assert_allclose(np.hypot(*path.T), 25.4 * (3 - np.cos(angle)), atol=1e-3)
-    rows = [row for table in sheet.tables if len(table.widths) == 3 for row in table.rows[1:]]
+    rows = [row for table in sheet.tables[:2] for row in table.rows[1:]]
     assert len(rows) == 36
+    assert sheet.tables[2].rows[1:] == (("outer, greatest", "180", "111.150"), ("inner, least", "0", "41.250"))
     radii = {float(row[0]): (float(row[1]), float(row[2])) for row in rows}
     # Where the follower stands still, both flanks are at right angles to the ray.
     assert radii[0.0] == pytest.approx((50.8 - 9.55, 50.8 + 9.55), abs=1e-9)
