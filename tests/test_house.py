@@ -180,6 +180,7 @@ OTHER_WORDS = {
     "cadgen.output.report.study_pictures": {"deg"},  # a unit
     "cadgen.inference.measurement.reference": {"deg"},
     "cadgen.design.lift_rows": {"deg", "mm"},
+    "cadgen.inference.records.units": {"mm"},
 }
 
 

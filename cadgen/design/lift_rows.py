@@ -18,7 +18,6 @@ _STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
 # Units that a column may have, as messages name them.
 _IN_THEIR_WORDS = {"mm": "mm, um, in", "deg": "deg, rad", "N": "N, kN", "Nm": "N·mm, Nm"}
 _RADIUS = ("radius", "radii", "rayon", "halbmesser", "半径", "向径", "矢径", "极径")
-_ALSO_WORDS = ("in", "m", "ft")  # of languages, or letters, which in a sentence are no units
 
 
 def read_rows(
@@ -93,22 +92,15 @@ def _refuse_radii(names: str, name: str) -> None:
 
 def _refuse_titles(titles: Sequence[str], name: str) -> None:
     """Refuse a title or remark that says another unit than mm, where neither a column nor the design states one."""
-    from cadgen.inference.records.units import unit_of
+    from cadgen.inference.records.units import other_length
 
-    for number, title in enumerate(titles, 1):
-        plain = re.sub(r'"([^"]*)"', r"\1", title)
-        # What stands behind a number is a size, such as that of a roller, and not the unit of a column.
-        said = [match[1] for match in re.finditer(r"(?<![\w.])(?<!\d )(?<!\d-)([^\W\d_]+)", plain)]
-        said += re.findall(r"英寸|厘米|微米", plain) + re.findall(r'[^\W\d_]\s*(["″])\s*(?:[,;\t|)]|$)', plain)
-        units = {word: unit_of(word) for word in said if word.lower() not in _ALSO_WORDS}
-        if "mm" in said or not (other := [word for word, unit in units.items() if unit and unit[0] == "mm"]):
-            continue
+    if said := other_length(titles):
         raise DesignError(
             "{name}, line {line}, says {unit}, and no column has a unit: write it beside the name of its column, as "
             'in "angle [deg], lift [in]"',
             name=name,
-            line=number,
-            unit=other[0],
+            line=said[0],
+            unit=said[1],
         )
 
 

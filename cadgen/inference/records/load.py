@@ -33,9 +33,9 @@ from cadgen.inference.measurement.record import (
     refuse_many,
     refuse_many_runs,
 )
-from cadgen.inference.records.columns import AS_NAMED, Reading, match_columns
-from cadgen.inference.records.text_table import head_of, rows_of, text_of
-from cadgen.inference.records.units import DIRECTIONS, TIMES, heading
+from cadgen.inference.records.columns import AS_NAMED, Match, Reading, match_columns
+from cadgen.inference.records.text_table import Head, head_of, rows_of, text_of
+from cadgen.inference.records.units import DIRECTIONS, TIMES, heading, other_length
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 
@@ -72,6 +72,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     head = head_of(text, name, lambda cells: _known_names(cells, known, reading))
     exact = None if known is not None or reading.columns else kind_with(head.names)
     match = match_columns(head.names, name, (exact,) if exact else known or kinds(), reading)
+    _refuse_unit_of_remark(head, match, reading, name)
     kind = match.kind
     # Counted before any is kept: of the shortest lines a file has millions.
     refuse_many(kind, len(head.body), name)
@@ -109,6 +110,27 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     )
     refuse_impossible(record)
     return record
+
+
+def _refuse_unit_of_remark(head: Head, match: Match, reading: Reading, name: str) -> None:
+    """Refuse another unit than mm that a title or remark alone says, where a column of lengths has none."""
+    bare = (
+        head.names[place.index]
+        for column, place in match.places.items()
+        if column not in reading.columns
+        and heading(column).factor("mm") is not None
+        and heading(column).unit
+        and not heading(head.names[place.index]).unit
+    )
+    column = next(bare, None)
+    if column is not None and (said := other_length(head.remarks)):
+        raise FileError(
+            "{name}: a line above its table says {unit}, and the column {column} has no unit: write it there, as in "
+            '"{column} [{unit}]"',
+            name=name,
+            unit=said[1],
+            column=brief(column),
+        )
 
 
 def _known_names(cells: Sequence[str], known: Sequence[Kind] | None, reading: Reading) -> int:

@@ -5,6 +5,7 @@ A column of a kind of data is called by its quantity and its unit, such as `x_mm
 """
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 # Unit of the columns -> units that can stand in its place, with their factors.
@@ -45,6 +46,7 @@ _QUANTITIES: dict[str, tuple[str, ...]] = {
     "direction": ("dir", "richtung", "方向"),
     "run": ("runno", "runnumber", "runid", "trial", "lauf", "次数", "试验", "运行"),
 }
+_ALSO_WORDS = ("in", "m", "ft")  # of languages, or letters, which in a sentence are no units
 _MEANT = {other: quantity for quantity, others in _QUANTITIES.items() for other in others}
 TIMES = ("t", "time", "timestamp", "seconds", "zeit", "时间")
 # Words that a column of directions may have, beside its own.
@@ -88,6 +90,24 @@ def heading(name: str) -> ColumnName:
     if match and unit_of(match[2]):
         return ColumnName(_quantity(match[1]), match[2])
     return ColumnName(_quantity(text), "")
+
+
+def other_length(sentences: Sequence[str]) -> tuple[int, str] | None:
+    """First sentence that says another unit of length than mm, counted from 1, and its word; None if none does.
+
+    What stands behind a number is a size, such as that of a roller, and no unit of what a table holds.
+
+    Args:
+        sentences: titles and remarks of a table.
+    """
+    for number, text in enumerate(sentences, 1):
+        plain = re.sub(r'"([^"]*)"', r"\1", text)
+        said = re.findall(r"(?<![\w.])(?<!\d )(?<!\d-)([^\W\d_]+)(?![\w-])", plain)
+        said += re.findall(r"英寸|厘米|微米", plain) + re.findall(r'[^\W\d_]\s*(["″])\s*(?:[,;\t|)]|$)', plain)
+        lengths = [word for word in said if word.lower() not in _ALSO_WORDS and (unit_of(word) or ("", 1.0))[0] == "mm"]
+        if lengths and "mm" not in lengths:
+            return number, lengths[0]
+    return None
 
 
 def _quantity(text: str) -> str:

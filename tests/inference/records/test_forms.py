@@ -85,6 +85,11 @@ READ = {
     "time beside the angle": (text({"t_s": ANGLES / 10} | named()), "t_s not used"),
     "other order": (text(dict(reversed(named().items()))), ""),
     "lines above": (text(named(), above=("Exported by a camera", "2026-05-04, 10:00")), "line 3"),
+    "a title in mm": (text(named("run", "theta", "x", "y"), above=("track in mm and no inches",)), "taken as mm"),
+    "a size in a remark": (
+        text(named("run", "theta", "x", "y"), above=("# design: mil_car", "# wheel of 2 inches")),
+        "taken as mm",
+    ),
     "a line of units": (
         text(named("run", "angle", "x", "y"), units=("", "deg", "mm", "mm")),
         "second line has the units",
@@ -117,6 +122,14 @@ REFUSED = {
     "gradians": (
         text(named(angle="cam angle [gon]", by=(400 / 360, 1.0))),
         "is not understood; if it is the cam angle",
+    ),
+    "a unit in a title alone": (
+        text(named("run", "theta", "x", "y", by=(1.0, 0.1)), above=("positions in cm",)),
+        r"says cm, and the column x has no unit: write it there, as in",
+    ),
+    "a unit in a remark alone": (
+        text(named("run", "theta", "x", "y", by=(1.0, 1 / 25.4)), above=("# all in inches",)),
+        "says inches, and the column x has no unit",
     ),
     "wrong unit": (text(named(angle="cam_angle_deg", by=(np.pi / 180, 1.0))), "spans only"),
 }
