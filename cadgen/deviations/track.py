@@ -5,7 +5,8 @@ wheel's angle at motor positions). `at` are the motor positions of the stations,
 
 A gain of the lever and an error of the wheelbase turn every curvature into the same other one,
 -(1 + g) T / (L + A1 (1 + g) T) = -T / (L / (1 + g) + A1 T), so no track can tell them apart; nor, but for a second
-order in the angle, a yaw of the rear axle from a steering zero.
+order in the angle, a yaw of the rear axle from a steering zero. A tyre whose side force comes up over a distance of
+travel follows the steering by that distance late, and so does a car whose cam stands behind.
 """
 
 from collections.abc import Callable
@@ -133,6 +134,7 @@ TRACK_EFFECTS = (
         act=lambda run, p, at: replace(run, phase=run.phase + float(p[0])),
         deviation=deviation.CAM_PHASE,
         places=(Place.CAR,),
+        twins=("a tyre that follows the steering late",),
         confused_with="backlash",
         separated_by="mark the keyway and the rod's place at the start",
     ),

@@ -20,6 +20,8 @@ from tests.studies.friction_truth import holding
 
 CELLS = 7200
 STEP = TURN / CELLS
+WAY = np.concatenate([np.arange(341.0), np.arange(340.0, -1, -1)])  # cam angles that a dial is read at, degrees
+MOTOR = np.concatenate([np.arange(361), np.arange(359, -1, -1)]) * 45.0  # of the encoders, degrees
 
 
 @dataclass(frozen=True)
@@ -197,10 +199,7 @@ class World:
 
     def dial(self, car: Car, rng: np.random.Generator, *, runs: int = 3) -> Record:
         """A lift by a dial at the inner face, every degree to 340 and back; the phase is set by a divider."""
-        way = np.concatenate([np.arange(341.0), np.arange(340.0, -1, -1)])
-        lagging = way - np.repeat([0.5, -0.5], 341) * car.lag / DEG
-        table = self.lift(car)
-        clean = self.built.follower.inner * np.interp(lagging / 360 * CELLS, np.arange(CELLS), table, period=CELLS)
+        way, clean = WAY, self.shown(car)
         readings = [np.round(clean + rng.normal(0, 0.02) + rng.normal(0, 4e-3, len(way)), 3) for _ in range(runs)]
         columns = {
             "direction": np.tile(np.repeat(["forward", "reverse"], 341), runs),
@@ -209,19 +208,28 @@ class World:
         }
         return _record(LIFT, columns, runs)
 
+    def shown(self, car: Car) -> np.ndarray:
+        """What the dial shows on `WAY` but for noise, mm."""
+        lagging = WAY - np.repeat([0.5, -0.5], 341) * car.lag / DEG
+        table = self.lift(car)
+        return self.built.follower.inner * np.interp(lagging / 360 * CELLS, np.arange(CELLS), table, period=CELLS)
+
     def train(self, car: Car, rng: np.random.Generator, *, runs: int = 3) -> Record:
         """Angles at both ends of the train, one turn of the cam forward and back, the rod lifted."""
-        motor = np.concatenate([np.arange(361), np.arange(359, -1, -1)]) * 45.0
-        asked = self.asked(car, motor * DEG / 45)
+        motor, clean = MOTOR, self.turned(car)
+        readings = [np.round(clean + rng.normal(0, 0.05) + rng.normal(0, 0.03, len(motor)), 2) for _ in range(runs)]
+        columns = {"motor_angle_deg": np.tile(motor, runs), "cam_angle_deg": np.concatenate(readings)}
+        return _record(TRANSMISSION, columns, runs)
+
+    def turned(self, car: Car) -> np.ndarray:
+        """Angle of the camshaft at `MOTOR` as its encoder shows it but for noise, degrees."""
+        asked = self.asked(car, MOTOR * DEG / 45)
         cam, out = asked[0], np.empty(len(asked))
         half = car.play * STEP / 2
         for i, angle in enumerate(asked):
             cam = min(max(cam, angle - half), angle + half)
             out[i] = cam
-        clean = (out - np.repeat([0.5, -0.5], [361, 360]) * car.lag) / DEG
-        readings = [np.round(clean + rng.normal(0, 0.05) + rng.normal(0, 0.03, len(motor)), 2) for _ in range(runs)]
-        columns = {"motor_angle_deg": np.tile(motor, runs), "cam_angle_deg": np.concatenate(readings)}
-        return _record(TRANSMISSION, columns, runs)
+        return (out - np.repeat([0.5, -0.5], [361, 360]) * car.lag) / DEG
 
     def profile(self, car: Car, rng: np.random.Generator) -> Record:
         """The outline on a measuring machine, 3 um of noise."""

@@ -276,8 +276,7 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
         verdict = Verdict.UNTRACED_SHAPE
     elif anonymous:
         verdict = Verdict.PARTIAL
-        if _explained(joint, found, best) < MOST:
-            common = frozenset()
+        common = _beside_unknown(common, found) if _explained(joint, found, best) >= MOST else frozenset()
     elif best.claims != common:
         verdict = Verdict.AMBIGUOUS
     else:
@@ -291,6 +290,21 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
         separate=separations(e for h in (best, *rivals) for e in h.effects),
     )
     return judgement, best.at(joint, loose=False)
+
+
+def _beside_unknown(names: frozenset[str], found: list[Hypothesis]) -> frozenset[str]:
+    """Names that a form error of any size does not stand for: a shape that was fitted says that one is there.
+
+    Args:
+        names: to choose from.
+        found: the fitted subsets.
+    """
+
+    def needed(name: str) -> bool:
+        has = min(h.loose_score for h in found if name in h.holds)
+        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_UNKNOWN
+
+    return frozenset(filter(needed, names))
 
 
 def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
