@@ -209,7 +209,7 @@ class World:
         return _record(LIFT, columns, runs)
 
     def shown(self, car: Car) -> np.ndarray:
-        """What the dial shows on `WAY` but for noise, mm."""
+        """Readings of the dial on `WAY` but for noise, mm."""
         lagging = WAY - np.repeat([0.5, -0.5], 341) * car.lag / DEG
         table = self.lift(car)
         return self.built.follower.inner * np.interp(lagging / 360 * CELLS, np.arange(CELLS), table, period=CELLS)

@@ -1,4 +1,4 @@
-"""What is named of effects that no catalogue has: `python -m tests.studies.undeclared_kinds --cases 280 --seed 1`.
+"""Names for effects that no catalogue has: `python -m tests.studies.undeclared_kinds --cases 280 --seed 1`.
 
 Every record has one effect of a kind that is in no catalogue (`tests.studies.undeclared_truth`), of a size that moves
 the readings by 2 to 30 times their noise (rms), or as far as it can. Every second has one effect of the catalogue

@@ -25,13 +25,13 @@ _SHARE = np.arange(CELLS) / CELLS  # of a run's turn that is over at each cell
 
 
 def same(values: np.ndarray) -> np.ndarray:
-    """What is not changed."""
+    """Values as they are."""
     return values
 
 
 @dataclass(frozen=True)
 class Odd:
-    """What one size of an effect changes.
+    """Changes that one size of an effect makes.
 
     Attributes:
         car: fields of the car.
@@ -72,11 +72,11 @@ class OddWorld(World):
         return self.odd.place(path)
 
     def shown(self, car: Car) -> np.ndarray:
-        """What the dial shows."""
+        """Readings of the dial on `WAY`, mm."""
         return self.odd.shown(super().shown(car))
 
     def turned(self, car: Car) -> np.ndarray:
-        """What the encoder shows."""
+        """Angles of the camshaft at `MOTOR`, degrees."""
         return self.odd.turned(super().turned(car))
 
     def profile(self, car: Car, rng: np.random.Generator) -> Record:
@@ -93,7 +93,7 @@ class OddWorld(World):
         return of[data](car, rng)
 
     def clean(self, data: str, car: Car) -> np.ndarray:
-        """What a record of a kind of data shows but for noise and the places of points: mm or degrees, shape (n,)."""
+        """Readings of a kind of data but for noise and the places of points: mm or degrees, shape (n,)."""
         if data == "track":
             place = self.path(car)[: CELLS * 340 // 360 : 40]
             return np.concatenate([place.real, place.imag])
