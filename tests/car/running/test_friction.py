@@ -314,6 +314,46 @@ def test_steps_of_a_run_end_where_the_cam_jumps(carbon_free_car, appendix_car, b
         assert off < 0.02
 
 
+def test_the_end_jumps_where_a_lead_splits(carbon_free_car):
+    """Where friction comes to hold the cam within a lead it stops there for its play; one that vanishes costs nothing.
+
+    The friction that holds the cam is worked out from the forces; where it is least within a fall a lead splits, where
+    it is greatest one vanishes. So it is the car that jumps, and not the grid by which leads are found.
+    """
+    built, lift = carbon_free_car, carbon_free_car.lift
+    theta = np.linspace(0.0, lift.blend_start, 20001)
+    at = contact(rod_of(built.follower), lift.q(theta), lift.q(theta, nu=1))
+    holds, above = np.zeros(len(theta)), np.ones(len(theta))
+    for _ in range(30):
+        middle = (holds + above) / 2
+        ahead = at.torque(middle) > 0
+        holds, above = np.where(ahead, middle, holds), np.where(ahead, above, middle)
+    rising = np.diff(holds) > 0
+    splits, vanish = (holds[1:-1][turns] for turns in (~rising[:-1] & rising[1:], rising[:-1] & ~rising[1:]))
+
+    def over(friction: float, by: float) -> tuple[int, float]:
+        places, counts = [], []
+        for mu in (friction - by, friction + by):
+            leads = Mechanics(follower=built.follower, friction=mu).leads(lift)
+            counts.append(len(leads.intervals))
+            following = leads.follow(lift, np.radians(0.7))
+            places.append(drive(lift, built.car, built.track.length, following=following).drive_wheel[-1])
+        return counts[1] - counts[0], float(np.linalg.norm(places[1] - places[0]))
+
+    (split,) = splits[splits > 0.05]
+    (more, near), (_, far) = over(split, 2e-5), over(split, 8e-5)
+    # What the gap does besides grows with its width, and so with the root of the friction.
+    jump = 2 * near - far
+    print(f"a lead splits at {split:.5f}: {jump:.2f} mm")
+    assert more == 1
+    assert jump == pytest.approx(4.6, abs=0.5)
+    for friction in vanish[(vanish > 0.05) & (vanish < 0.3)]:
+        (more, change), (_, far) = over(friction, 2e-5), over(friction, 8e-5)
+        print(f"a lead vanishes at {friction:.5f}: {change:.2f} mm")
+        assert more == -1
+        assert change < 0.6 * far < 3.0
+
+
 def test_without_friction_and_drag_it_is_the_play_operator(carbon_free_car, appendix_car):
     motor = np.linspace(-1.0, 7.0, 5001)
     for built in (carbon_free_car, appendix_car):
