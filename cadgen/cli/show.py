@@ -185,7 +185,7 @@ def checks(cam: "Cam", cures: "Cures", *, every: bool) -> None:
         console.print(cam.wheel)
         friction(cam)
     else:
-        sentences(cam.application.setting())
+        sentences(cam.application.setting(cam))
     rows(cam, every=every)
     for line in cures.sentences():
         console.print(line)

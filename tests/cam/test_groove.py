@@ -2,6 +2,7 @@
 
 import json
 import re
+from math import sqrt
 
 import numpy as np
 import pytest
@@ -184,3 +185,20 @@ def test_no_inspection_shows_one_flank_as_the_outline(tmp_path):
     page = Report.of(design).write(tmp_path)
     html = next(file.path for file in page if file.name.endswith(".html")).read_text("utf-8")
     assert "greatest radius of the disc" not in html
+
+
+def test_a_groove_in_the_inner_face_is_said_and_the_way_to_one_that_turns_counterclockwise():
+    """Mirrored, the path of a roller's centre is that of the motion in the reverse order with the other offset."""
+    keys = {"motion.segments.1.in_deg": 100.0, "motion.segments.2.in_deg": 260.0, "follower.offset_mm": 6.0}
+    asked = Design.load("groove", keys).cam()
+    (said,) = asked.application.setting(asked)
+    assert "in the inner face, seen on which the disc turns clockwise" in said
+    reverse = {"motion.turns": "clockwise", "motion.segments.1.in_deg": 260.0, "motion.segments.2.in_deg": 100.0}
+    other = Design.load("groove", keys | reverse | {"follower.offset_mm": -6.0}).cam()
+    assert other.application.setting(other) == ()
+    at = np.linspace(0.0, TURN, 7, endpoint=False)
+    centre = [sqrt(50.8**2 - 6.0**2) + np.array(cam.lift(turn)) for cam, turn in ((asked, at), (other, -at))]
+    paths = [
+        (out + 1j * shift) * np.exp(1j * turn) for out, shift, turn in zip(centre, (6, -6), (at, -at), strict=True)
+    ]
+    np.testing.assert_allclose(paths[1], paths[0].conj(), atol=1e-9)

@@ -257,7 +257,7 @@ def test_the_sheet_says_where_to_stop_and_how_to_set_a_cam_without_a_key(built):
     stop, set_on_shaft = plan.application.drawing_notes(plan)[:2]
     assert f"ends at {348 / 1.005:.2f}° of cam angle" in stop
     assert "Set the new cam on its shaft 1.500° back against its sense" in set_on_shaft
-    assert plan.application.setting() == (stop, set_on_shaft)
+    assert plan.application.setting(plan) == (stop, set_on_shaft)
 
 
 @pytest.mark.slow

@@ -190,7 +190,7 @@ class Application:
         """Sentences on what was assumed, and on what to do beside the cam."""
         return ()
 
-    def setting(self) -> tuple[str, ...]:
+    def setting(self, cam: "CamPlan") -> tuple[str, ...]:
         """Instructions without which the cam does not do what it was made for."""
         return ()
 

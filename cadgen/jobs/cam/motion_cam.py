@@ -185,6 +185,21 @@ class MotionUse(Application):
             )
         return PartVerdict(checks, tuple(held))
 
+    def setting(self, cam: CamPlan) -> tuple[str, ...]:
+        """Sense of a groove in the inner face, and the keys of one that turns the other way, seen on it.
+
+        The path of the centre, (R + q(t) + ie) exp(it), is mirrored by the motion q(-t) and the offset -e.
+        """
+        if self.turns == DiscSense.CLOCKWISE or cam.groove is None:
+            return ()
+        return (
+            Message(
+                "The groove is in the inner face, seen on which the disc turns clockwise. If the face with the groove "
+                'is to turn counterclockwise, state turns = "clockwise" and the motion in the reverse order, with '
+                "offset_mm of the other sign, or lifts the other way."
+            ),
+        )
+
     def notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Sense of the disc, peaks of the motion, and what was done to its table."""
         sense = Message(

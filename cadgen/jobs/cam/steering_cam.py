@@ -468,7 +468,7 @@ class CarUse(SteeredCar):
         """Expected run of the car on a cam of an as-built design, in a sentence; empty if nothing was measured."""
         return outlook_sentence(self.design)
 
-    def setting(self) -> tuple[str, ...]:
+    def setting(self, cam: CamPlan) -> tuple[str, ...]:
         """Instructions where to stop the run of a car as built, and how to set the cam on its shaft."""
         return tuple(setting_sentences(self.design, self.wanted.blend_start))
 
@@ -485,7 +485,7 @@ class CarUse(SteeredCar):
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
         """Instructions for a car as built, what to do before each run with a brake, and how the disc sits."""
-        notes: tuple[str, ...] = (*self.setting(), *self.before_each_run)
+        notes: tuple[str, ...] = (*self.setting(cam), *self.before_each_run)
         if self.in_car is None or not self.in_car.turned_over:
             return notes
         over = (
