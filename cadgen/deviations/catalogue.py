@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from cadgen.deviations.camera import CAMERA_EFFECTS
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect, Quantity
@@ -24,7 +25,7 @@ from cadgen.registry import load_plugins, used
 
 @dataclass(frozen=True)
 class Family:
-    """Effects of which there are many, one for each order, nose, shaft or stage.
+    """Effects of which there are many, one for each order, nose, shaft or stage, or that are not always looked for.
 
     Attributes:
         examples: effects that stand for all of them on the page of effects.
@@ -153,11 +154,16 @@ _MESHES = Family(
     re.compile(r"tooth mesh of stage (\d{1,2})"),
     lambda match, indices: tooth_mesh(int(match[1]), 1.0),
 )
+_CAMERAS = Family(
+    CAMERA_EFFECTS,
+    re.compile("|".join(re.escape(effect.name) for effect in CAMERA_EFFECTS)),
+    lambda match, indices: next(effect for effect in CAMERA_EFFECTS if effect.name == match[0]),
+)
 
 LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))
 PROFILE = Catalogue(*PROFILE_EFFECTS, *PROFILE_INSTRUMENT, families=(_NOSES, _UNDULATIONS))
 TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _ENCODERS, _MESHES))
-TRACK = Catalogue(*TRACK_EFFECTS)
+TRACK = Catalogue(*TRACK_EFFECTS, families=(_CAMERAS,))
 ZONES = Catalogue(RETURN_ERROR)
 
 

@@ -52,10 +52,11 @@ class Rows:
 class Stage(Generic[State]):
     """A place in a forward model at which effects change what passes there, such as a disc or the angles of a shaft.
 
-    It is told from others by identity; `name` is for messages.
+    It is told from others by identity; `name` is for messages. What acts at one `of_instrument` leaves the car alone.
     """
 
     name: str
+    of_instrument: bool = False
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -209,7 +210,7 @@ class Effect:
     @property
     def instrument(self) -> bool:
         """True of an effect of the instrument, which changes nothing but its own record."""
-        return self.looks_like is not None and self.places == (Place.NOTED,)
+        return self.stage.of_instrument or (self.looks_like is not None and self.places == (Place.NOTED,))
 
     @property
     def steps(self) -> Array:
@@ -246,8 +247,8 @@ def activated(effects: Sequence[Effect], values: Array) -> list[tuple[Effect, Ar
 
 
 def causes(effects: Iterable[Effect]) -> int:
-    """How many causes effects have: what acts beside another adds none."""
-    return sum(not effect.beside for effect in effects)
+    """How many causes effects have: what acts beside another adds none, nor does what leaves the car alone."""
+    return sum(not (effect.beside or effect.stage.of_instrument) for effect in effects)
 
 
 def key_of(active: Active) -> bytes:

@@ -92,7 +92,7 @@ class Linear:
         known = {
             (kind.code, names[e.key].name, e.variant): e
             for kind, names in zip(kinds, merged.names, strict=True)
-            for e in (*merged.catalogue, *merged.shapes)
+            for e in (*merged.catalogue, *merged.shapes, *merged.cameras)
             if e.key in names
         }
         likely = [
@@ -109,8 +109,8 @@ class Linear:
     def effects(self) -> tuple[Effect, ...]:
         """Effects that are weighed: all that combine freely, and what is likely beside them."""
         wanted = {e.key for _, active in self.likely for e, _ in active}
-        every = (*self.merged.catalogue, *self.merged.shapes)
-        return tuple(e for e in every if e.key in wanted or not (e.member or e.shape))
+        every = (*self.merged.catalogue, *self.merged.shapes, *self.merged.cameras)
+        return tuple(e for e in every if e.key in wanted or not (e.member or e.shape or e in self.merged.cameras))
 
     @property
     def best(self) -> Active:

@@ -103,7 +103,17 @@ def weigh(
         refuse_too_few(record, model)
         noise = resolved(record, estimate_noise(model, model.residual([(e, e.start) for e in model.datum])))
         parts.append(Part(record, build, model, noise, Evidence(model, noise, grid)))
-    joint = Joint.of(parts)
+    return weigh_parts(Joint.of(parts), progress, play, usual, starts)
+
+
+def weigh_parts(
+    joint: Joint,
+    progress: Progress = silent,
+    play: tuple[float, float] | None = None,
+    usual: Mapping[Quantity, tuple[float, float]] | None = None,
+    starts: Sequence[Start] = (),
+) -> Weighed:
+    """Search the effects that explain records with their noise, and judge them; arguments as of `weigh`."""
     count = len(joint.core) + len(joint.members)
     progress(Message("{source}: comparing all small subsets of {count} effects", source=joint.source, count=count))
     found = find(joint, usual, starts)
@@ -111,7 +121,7 @@ def weigh(
     for part in joint.parts:
         noise = resolved(part.record, estimate_noise(part.model, part.residual(found[0].active)))
         less = noise.rms <= NOT_NOISE * part.noise.rms
-        quieter.append(replace(part, noise=noise, evidence=Evidence(part.model, noise, grid)) if less else part)
+        quieter.append(replace(part, noise=noise, evidence=Evidence(part.model, noise, joint.grid)) if less else part)
     if any(new is not old for new, old in zip(quieter, joint.parts, strict=True)):
         # Runs that were taken differently differ by an effect, and not by noise alone.
         joint = replace(joint, parts=tuple(quieter))
@@ -389,20 +399,30 @@ class WeighedTogether:
         joint: the joint verdict.
         records: as their files are, one of each kind.
         alone: verdict on one of them.
-        together: joint verdict, from subsets to be fitted first; None if none of them is likelier than the joint one.
+        together: joint verdict that searches for as much as another did, from subsets to be fitted first; None if none
+            of them is likelier than that one's.
+        seen: joint verdict that searches for errors of the camera, too; None if none is likely.
     """
 
     joint: Weighed
     records: tuple[Record, ...]
     alone: Callable[[Record], Weighed]
-    together: Callable[[Sequence[Start]], Weighed | None]
+    together: Callable[[Weighed, Sequence[Start]], Weighed | None]
+    seen: Callable[[], Weighed | None]
 
     @cached_property
     def likeliest(self) -> Weighed:
-        """Joint verdict; where it is not sound, from what each record shows by itself if that is likelier for all."""
-        if len(self.records) == 1 or self.joint.judgement.verdict in SOUND:
-            return self.joint
-        return self.together(_starts(self.joint.joint, [self.alone(record) for record in self.records])) or self.joint
+        """Joint verdict; where it is not sound, with the camera's errors if these are likelier.
+
+        Where that is not sound either, it is from what each record shows by itself, if that is likelier for all.
+        """
+        found = self.joint
+        if len(self.records) == 1 or found.judgement.verdict in SOUND:
+            return found
+        found = self.seen() or found
+        if found.judgement.verdict in SOUND:
+            return found
+        return self.together(found, _starts(found.joint, [self.alone(record) for record in self.records])) or found
 
     def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnosis of each record, each by itself where they contradict each other."""
@@ -439,20 +459,27 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
         return known[record.kind]
 
     if len(joined) == 1:
-        return WeighedTogether(alone(joined[0]), tuple(joined), alone, lambda starts: None)
+        return WeighedTogether(alone(joined[0]), tuple(joined), alone, lambda found, starts: None, lambda: None)
     # Friction acts in all records of a car, but where the rod was lifted.
     settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
 
-    def weighed(starts: Sequence[Start] = ()) -> Weighed:
-        return _with_states(weigh(settled, nominal.model, progress, nominal.play, nominal.usual, starts), joined)
+    rest = progress, nominal.play, nominal.usual
+    first = _with_states(weigh(settled, nominal.model, *rest), joined)
 
-    first = weighed()
+    def weighed(joint: Joint, starts: Sequence[Start]) -> Weighed:
+        return _with_states(weigh_parts(joint, *rest, starts), joined)
 
-    def together(starts: Sequence[Start]) -> Weighed | None:
-        better = best_of(first.joint, nominal.usual, starts).score < first.found[0].score
-        return weighed(starts) if better else None
+    def together(found: Weighed, starts: Sequence[Start]) -> Weighed | None:
+        better = best_of(found.joint, nominal.usual, starts).score < found.found[0].score
+        return weighed(found.joint, starts) if better else None
 
-    return WeighedTogether(first, tuple(joined), alone, together)
+    def seen() -> Weighed | None:
+        if not first.joint.cameras:
+            return None
+        found = weighed(first.joint.with_cameras, [(first.best.effects, first.best.active)])
+        return found if found.found[0].score < first.found[0].score else None
+
+    return WeighedTogether(first, tuple(joined), alone, together, seen)
 
 
 def _starts(joint: Joint, apart: Sequence[Weighed]) -> list[Start]:

@@ -31,6 +31,7 @@ class Merged:
 
     Attributes:
         catalogue, shapes, datum: the effects, each once.
+        cameras: errors of instruments that are looked for where these do not explain the records.
         kinds: by their keys, the kind of data whose catalogue each stands in.
         names: for each record, by the keys of the effects that act in it, what the effect is there.
     """
@@ -38,6 +39,7 @@ class Merged:
     catalogue: tuple[Effect, ...]
     shapes: tuple[Effect, ...]
     datum: tuple[Effect, ...]
+    cameras: tuple[Effect, ...]
     kinds: dict[str, Kind]
     names: tuple[Names, ...]
 
@@ -77,16 +79,18 @@ class Merged:
             for e in model.shapes
         ]
         datum = [(e, n, e) for n, (_, m) in enumerate(records) for e in m.datum]
-        for effect, number, own in (*shapes, *datum):
+        cameras = [(e, n, e) for n, (_, m) in enumerate(records) for e in m.cameras]
+        for effect, number, own in (*shapes, *datum, *cameras):
             names[number][effect.key] = own
             for other, (_, model) in enumerate(records):
                 if own.form_of and other != number and model.rolled is not None:
                     names[other][effect.key] = model.rolled.shown(effect)
-        every = [(e, n) for e, n, _ in (*leaders, *shapes, *datum)]
+        every = [(e, n) for e, n, _ in (*leaders, *shapes, *datum, *cameras)]
         return cls(
             catalogue=tuple(e for e, _, _ in leaders),
             shapes=tuple(e for e, _, _ in shapes),
             datum=tuple(e for e, _, _ in datum),
+            cameras=tuple(e for e, _, _ in cameras),
             kinds={e.key: records[n][0] for e, n in every},
             names=names,
         )
@@ -194,6 +198,7 @@ class Joint:
         members: effects of families, which enter a subset one at a time.
         shapes: forms without a name, each of one part.
         datum: effects that are always fitted.
+        cameras: errors of instruments that are not among these.
         kinds: by the keys of effects, the kind of data whose catalogue they stand in.
     """
 
@@ -202,6 +207,7 @@ class Joint:
     members: tuple[Effect, ...]
     shapes: tuple[Effect, ...]
     datum: tuple[Effect, ...]
+    cameras: tuple[Effect, ...]
     kinds: dict[str, Kind]
 
     @classmethod
@@ -214,8 +220,14 @@ class Joint:
             members=tuple(e for e in merged.catalogue if e.member),
             shapes=merged.shapes,
             datum=merged.datum,
+            cameras=merged.cameras,
             kinds=merged.kinds,
         )
+
+    @property
+    def with_cameras(self) -> "Joint":
+        """The records with the errors of their instruments among the effects that combine freely."""
+        return replace(self, core=(*self.core, *self.cameras), cameras=())
 
     @cached_property
     def spans(self) -> tuple[slice, ...]:

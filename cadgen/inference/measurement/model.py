@@ -329,7 +329,8 @@ class Model(ABC):
             for which differences do; None where they do for all.
         resolved: highest order that the spacing of the rows resolves; None where no catalogue goes by it.
         measured: coordinate of each row of a track, mm; None for what is no track.
-        cameras: effects of the instrument that what is found is held against, and that are not searched for.
+        cameras: effects of the instrument that what is found is held against, and that are looked for beside other
+            records.
         formulas: effects that are proposed for what repeats without a name.
         notes: what the record shows of its instruments before any effect is looked for, as limits of the verdict.
     """

@@ -141,7 +141,8 @@ def _against(joint: Joint, nominal: Nominal) -> Joint:
         evidence = Evidence(model, part.noise, part.evidence.grid)
         # A part of its own: one that is replaced keeps what it remembers of the stated cam.
         parts.append(Part(part.record, nominal.model, model, part.noise, evidence))
-    return Joint.of(parts)
+    against = Joint.of(parts)
+    return against if joint.cameras else against.with_cameras
 
 
 def _nearest(joint: Joint, best: Hypothesis, stated: float) -> float:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.stats import f as f_distribution
 
 from cadgen.arrays import Array
+from cadgen.deviations.camera import CAMERA_FRAME
 from cadgen.deviations.effect import UNITS, Effect, causes
 from cadgen.deviations.return_error import MEASURE_FRICTION, NO_FRICTION
 from cadgen.errors import FileError
@@ -169,10 +170,11 @@ def with_reservations(
     for name, value in stuck.items():
         why = Message("{number} of {name} is on the bound of what can be", number=value, name=Message(name))
         judgement = unclaimed(judgement, [name], why)
+    # How a camera errs need not be sure: it stays at home.
     unsure = [
         e.name
         for e, values, sigma in best.values()
-        if e in named and within_error([p.unit for p in e.parameters], values, sigma)
+        if e in named and not e.stage.of_instrument and within_error([p.unit for p in e.parameters], values, sigma)
     ]
     return unclaimed(judgement, unsure, within_words())
 
@@ -318,12 +320,11 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
     no more than noise. It is as good with fewer numbers within `RIVAL` of the criterion, and with as many or more if
     it is better by that.
     """
-    cameras = [e for part in joint.parts for e in part.model.cameras]
+    # A frame that is laid askew is in the start poses.
+    cameras, search = [e for e in joint.cameras if e.key != CAMERA_FRAME.key], Search(joint.rows)
     if judgement.verdict is Verdict.NONE or not cameras:
         return judgement
-    parts = tuple(replace(p, names=p.names | {e.key: e for e in p.model.cameras}) for p in joint.parts)
-    seen, search = replace(joint, parts=parts), Search(joint.rows)
-    found = fit(seen, best.effects, best.active, search)
+    found = fit(joint, best.effects, best.active, search)
     named = tuple(e for e in best.effects if not e.shape)
     sizes = range(len(named), max(len(named) - 2, 0) - 1, -1)
     rests = dict.fromkeys([*chain.from_iterable(combinations(named, size) for size in sizes), ()])
@@ -338,16 +339,16 @@ def with_cameras(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgem
         ]
         if not left or any(e.beside and e.beside not in rest for e in rest):
             continue
-        bare = found if rest == best.effects else fit(seen, rest, best.active, search)
-        for camera, gain in zip(left, _gains(seen, bare, left), strict=True):
+        bare = found if rest == best.effects else fit(joint, rest, best.active, search)
+        for camera, gain in zip(left, _gains(joint, bare, left), strict=True):
             effects = (*rest, camera)
             most, least = _most(found, search, effects), bare.misfit[bare.within] - _FIRST_ORDER * gain - _UNSURE
             if least <= most:
-                other = fit(seen, effects, bare.active, search, level=most)
+                other = fit(joint, effects, bare.active, search, level=most)
                 least = other.misfit[other.within] - _UNSURE
                 near = _near(found, other.parameters)
                 if other.score < found.score + near and all(
-                    left_over(part, seen, other) <= LEFT_OVER for part in parts
+                    left_over(part, joint, other) <= LEFT_OVER for part in joint.parts
                 ):
                     rivals.append(other)
             known[camera].append(({*rest}, least))

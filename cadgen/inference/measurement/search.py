@@ -227,7 +227,10 @@ def _size(joint: Joint, core: tuple[Effect, ...], usual: Mapping[Quantity, tuple
     """Size of the search among freely combining effects, members of families and shapes."""
     entries = Counter(e.sort for e in (*core, *joint.members) if not (e.shape or e.parts or e.beside))
     anonymous = len(joint.shapes) + sum(e.shape for e in joint.members)
-    return Search(joint.rows, entries, max(anonymous, 1), usual)
+    # Of a camera it is known how well one is set up: its errors are as large as usual, or cost so much more.
+    cameras = [e for e in core if e.stage.of_instrument]
+    known = {key: (0.0, p.spread) for e in cameras for key, p in zip(e.quantities, e.parameters, strict=True)}
+    return Search(joint.rows, entries, max(anonymous, 1), known | dict(usual))
 
 
 def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
@@ -416,7 +419,8 @@ def _grown(effects: tuple[Effect, ...], best: Hypothesis) -> Iterator[tuple[int,
                 subset = tuple(sorted({*inside, *more}.difference(less)))
                 chosen = [effects[i] for i in subset]
                 paired = all(e.beside is None or e.beside in chosen for e in chosen)
-                if paired and _compatible(chosen) and LARGEST_SUBSET < causes(chosen) <= MOST_CAUSES:
+                more_than_tried = sum(not e.beside for e in chosen) > LARGEST_SUBSET
+                if paired and _compatible(chosen) and more_than_tried and causes(chosen) <= MOST_CAUSES:
                     yield subset
 
 

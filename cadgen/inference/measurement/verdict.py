@@ -318,9 +318,11 @@ def _distinct(found: list[Hypothesis]) -> list[Hypothesis]:
 def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     """Do effects of the subset, one or some together, change no registered residual by a share of its floor?
 
-    Together, because two near twins of opposite sign can make any small shape that neither makes.
+    Together, because two near twins of opposite sign can make any small shape that neither makes. A camera knows no
+    form error.
     """
-    for some in chain.from_iterable(combinations(h.key, size) for size in range(1, len(h.key) + 1)):
+    keys = [e.key for e in h.effects if not e.stage.of_instrument]
+    for some in chain.from_iterable(combinations(keys, size) for size in range(1, len(keys) + 1)):
         rest = [(e, v) for e, v in h.active if e.key not in some]
         for part in joint.parts:
             change = registered(part.model, part.noise, part.residual(h.active) - part.residual(rest))

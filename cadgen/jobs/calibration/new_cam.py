@@ -215,11 +215,13 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
             continue
         whole = list(_claims(likely, sources, sure))
         unsure = {claim.deviation for claim in whole if not claim.sure}
-        # A name that is left out of a subset must do nothing to the run.
+        # A name that is left out of a subset must do nothing to the run, as an error of the camera does not.
         kept = {(claim.kind.code, claim.finding.effect) for claim in whole}
         moves = [TRACK.code in kinds for kinds in likely.shown]
         every = zip(likely.effects, moves, strict=True)
-        lost = any(runs and not effect.shape and name not in kept for (name, effect, _), runs in every)
+        lost = any(
+            runs and not (effect.shape or effect.instrument) and name not in kept for (name, effect, _), runs in every
+        )
         if unsure and not lost and not unsure & {claim.deviation for claim in apart}:
             yield (*whole, *apart)
 

@@ -19,11 +19,12 @@ CAMERAS = {
 
 
 def seen(car, wheels, by, seed=3):
-    """Track through a camera that errs about the middle of the track; its frame is laid at the start."""
+    """Track through a camera that errs about the middle of the field; its frame is laid at the start."""
     record = drive.track_record(car, wheels, np.random.default_rng(seed), noise_mm=3.0)
     place = record["x_mm"] + 1j * record["y_mm"]
-    extent = np.abs(place - place.mean()).max()
-    shown = place.mean() + extent * by((place - place.mean()) / extent)
+    middle = complex(place.real.min() + place.real.max(), place.imag.min() + place.imag.max()) / 2
+    extent = np.abs(place - middle).max()
+    shown = middle + extent * by((place - middle) / extent)
     shown += place[0] - shown[0]
     return replace(record, columns=record.columns | {"x_mm": shown.real, "y_mm": shown.imag})
 
@@ -61,3 +62,27 @@ def test_beside_an_error_of_the_camera_the_steering_zero_is_claimed(synthetic_ca
 def test_errors_of_the_car_stay_the_cars(wheels, names, synthetic_car, nominal):
     (told,) = calibrate([seen(synthetic_car, wheels, lambda z: z)], nominal)
     assert told.judgement.claimed == names
+
+
+@pytest.mark.slow
+@pytest.mark.long
+def test_beside_a_train_the_cameras_error_is_an_effect_and_the_car_stays_explained(synthetic_car, nominal):
+    rng = np.random.default_rng(5)
+    train = drive.transmission_record(synthetic_car, drive.Train(play=0.6 * DEG), rng, noise_deg=0.03)
+    wheels = drive.Wheels(zero=0.3 * DEG, gain=1.02, play=0.6 * DEG)
+    track, _ = told = calibrate([seen(synthetic_car, wheels, lambda z: z / (1 + 0.015 * z.imag)), train], nominal)
+    assert not any(one.contradicted for one in told)
+    assert {"backlash", "perspective of the camera", "steering zero"} <= set(track.judgement.claimed)
+    numbers = {v.name: v for finding in track.findings for v in finding.values}
+    assert numbers["perspective_y_percent"].value == pytest.approx(1.5, abs=0.15)
+    assert numbers["steering_zero_deg"].value == pytest.approx(0.3, abs=0.03)
+    assert numbers["return_error_deg"].value == pytest.approx(0.6, abs=0.02)
+
+
+def test_errors_of_the_camera_do_not_move_the_car(synthetic_car, nominal):
+    model = nominal.model(drive.track_record(synthetic_car, drive.Wheels(), np.random.default_rng(1), noise_mm=3.0))
+    for effect in model.cameras:
+        active = [(effect, effect.steps)]
+        assert abs(model.place(active) - model.place([])).max() > 0.01, effect.name
+        assert model.finish(active) == model.finish([])
+        assert effect.instrument

@@ -329,7 +329,8 @@ class TrackModel(Model):
         self.used = scattered(self._starts.poses(self.place([]), self._motor), self.stated)
         self.offsets, self.spread = self._starts.columns, np.concatenate([one.spread for one in self.used])
         angle, mean = self._mean()
-        middle = complex(mean.mean())
+        # A camera is aimed at the middle of the field that the track takes up.
+        middle = complex(np.ptp(mean.real) / 2 + mean.real.min(), np.ptp(mean.imag) / 2 + mean.imag.min())
         self._view, self.cameras = (
             CameraView(middle, float(np.abs(mean - middle).max()), complex(self.place([])[0])),
             CAMERA_EFFECTS,
