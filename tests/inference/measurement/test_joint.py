@@ -32,7 +32,7 @@ def _part(kind, seed, sigma, correlation):
     model, rng = _model(), np.random.default_rng(seed)
     drawn = rng.normal(0, 4, len(model.rows.run))
     model.catalogue, model.shapes, model.datum, model.behind = (SLOPE,) if kind is TRACK else (), (), (), (READING,)
-    model.rolled = model.tangent = None
+    model.cameras, model.rolled, model.tangent = (), None, None
     model.residual = lambda active: drawn - sum((e.act(0 * drawn, v, model.rows) for e, v in active), 0 * drawn)
     noise = Noise(np.full(len(drawn), sigma), correlation, 0.0, 3)
     grid = (Spectrum(1.0, 2.0, 1.0), Spectrum(1.2, 4.0, 3.0))
