@@ -105,7 +105,7 @@ def test_one_record_keeps_its_catalogue(models):
     kind, model = models[0]
     merged = Merged.of([(kind, model)])
     assert merged.catalogue == model.catalogue
-    assert merged.names == ({e.key: e for e in (*model.catalogue, *model.shapes, *model.datum)},)
+    assert merged.names == ({e.key: e for e in (*model.catalogue, *model.shapes, *model.datum, *model.cameras)},)
 
 
 @pytest.mark.slow
