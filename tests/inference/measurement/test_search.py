@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cadgen.deviations.effect import READING
 from cadgen.inference.measurement.diagnosis import weigh
 from cadgen.inference.measurement.search import LARGEST_SUBSET, MOST_CAUSES, _grown
 from cadgen.inference.measurement.verdict import SURE, Verdict, sure_of
@@ -66,7 +67,7 @@ def test_up_to_two_names_need_the_same_chance_and_more_need_more():
 
 def test_subsets_about_the_best_one():
     """Of nine alike effects, four in the best subset: counted by hand from all subsets of the sizes that are grown."""
-    effects = tuple(SimpleNamespace(key=str(i), beside=None, group=None, member=False) for i in range(9))
+    effects = tuple(SimpleNamespace(key=str(i), beside=None, group=None, member=False, stage=READING) for i in range(9))
     inside = set(range(4))
     best = SimpleNamespace(key=frozenset(map(str, inside)))
 
