@@ -45,8 +45,8 @@ def test_the_page_counts_records_with_wrong_names():
     right |= {"claimed": ["lever gain"], "said": ["lever gain"], "wrong": []}
     wrong = right | {"claimed": ["lever gain", "cam phase"], "wrong": [["cam phase", 2.5]], "truth": []}
     text = "\n".join(table([right, wrong]))
-    assert f"| all | track | 2 | {share(1, 2)} | ≤ 3 % | 1 of 1 |" in text
-    assert f"| bounce | track | 2 | {share(1, 2)} | ≤ 6 % | 1 of 1 |" in text
+    assert f"| all | track | 2 | {share(1, 2)} | ≤ 3 % | 1 of 1 | 1 |" in text
+    assert f"| bounce | track | 2 | {share(1, 2)} | ≤ 6 % | 1 of 1 | 1 |" in text
     assert list(wanting([right, wrong])) == ["| bounce | track | - | 5.0 | traced | lever gain | cam phase (2.5) |"]
 
 

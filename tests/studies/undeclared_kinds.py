@@ -65,8 +65,8 @@ class Drawn:
 
     def right(self, effect: Effect, values: np.ndarray, sigma: np.ndarray) -> bool:
         """Whether a claimed effect with its numbers and their standard deviations is there."""
-        looks = effect.looks_like.name if effect.looks_like else ""
-        if {*self.truth, KINDS[self.name].twin} & {str(effect.name), str(looks), *map(str, effect.twins)}:
+        alike = [effect.name, *effect.twins, *(other.name for other in (effect.looks_like,) if other)]
+        if {*self.truth, KINDS[self.name].twin} & set(map(str, alike)):
             return True
         most = KINDS[self.name].grows.get(str(effect.name), 0.0) * self.size
         return bool(min(most, 0.0) - 2 * sigma[0] <= values[0] <= max(most, 0.0) + 2 * sigma[0]) if most else False
@@ -153,15 +153,16 @@ def judged(seed: int, number: int) -> Found:
 
 def table(found: Sequence[Found]) -> Iterator[str]:
     """Shares of records with a wrong name, of all, of each kind of data and of each kind of effect."""
-    yield "| | data | records | wrong names | bar | what was put in beside is named |"
-    yield "|---|---|---|---|---|---|"
+    yield "| | data | records | wrong names | bar | put in beside and named | other names, right or within the noise |"
+    yield "|---" * 7 + "|"
 
     def row(words: str, some: Sequence[Found], bar: int) -> str:
         data = ", ".join(dict.fromkeys(f["data"] for f in some))
         beside = [f for f in some if f["truth"]]
         named = sum(all(t in f["claimed"] for t in f["truth"]) for f in beside)
         wrong = sum(bool(f["wrong"]) for f in some)
-        return f"| {words} | {data} | {len(some)} | {share(wrong, len(some))} | ≤ {bar} % | {named} of {len(beside)} |"
+        others = sum(bool(set(f["claimed"]) - {*f["truth"], *dict(f["wrong"])}) for f in some)
+        return f"| {words} | {data} | {len(some)} | {share(wrong, len(some))} | ≤ {bar} % | {named} of {len(beside)} | {others} |"
 
     yield row("all", found, BARS[0])
     for data in NOISE:

@@ -234,7 +234,13 @@ def _size(joint: Joint, core: tuple[Effect, ...], usual: Mapping[Quantity, tuple
 
 
 def _within(joint: Joint, best: Hypothesis) -> Iterator[Start]:
-    """Subsets within the best one that lose little: where an effect of it is too small to be named, one of these is."""
+    """Subsets within the best one that lose little: where an effect of it is too small to be named, one of these is.
+
+    And those with what one of its effects becomes for some values in its place.
+    """
+    for whole in best.effects:
+        if whole.includes:
+            yield tuple(whole.includes if e is whole else e for e in best.effects), best.active
     for size in range(1, len(best.effects)):
         for effects in combinations(best.effects, size):
             kept = {e.key for e in effects}

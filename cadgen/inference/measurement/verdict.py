@@ -1,5 +1,6 @@
 """The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -277,6 +278,8 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     elif anonymous:
         verdict = Verdict.PARTIAL
         common = _beside_unknown(common, found) if _explained(joint, found, best) >= MOST else frozenset()
+    elif orders := _of_several_orders(best):
+        verdict, common = Verdict.AMBIGUOUS, _beside_unknown(common - orders, found)
     elif best.claims != common:
         verdict = Verdict.AMBIGUOUS
     else:
@@ -292,8 +295,14 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     return judgement, best.at(joint, loose=False)
 
 
+def _of_several_orders(best: Hypothesis) -> frozenset[str]:
+    """Names of which a subset has several of one sort: orders of lobing or waviness that together make a shape."""
+    sorts = Counter(e.sort for e in best.effects if e.member and not e.shape)
+    return frozenset(e.name for e in best.effects if sorts[e.sort] > 1)
+
+
 def _beside_unknown(names: frozenset[str], found: list[Hypothesis]) -> frozenset[str]:
-    """Names that a form error of any size does not stand for: a shape that was fitted says that one is there.
+    """Names that a form error of any size does not stand for, where a shape that was fitted says that one is there.
 
     Args:
         names: to choose from.
