@@ -162,7 +162,8 @@ def table(found: Sequence[Found]) -> Iterator[str]:
         named = sum(all(t in f["claimed"] for t in f["truth"]) for f in beside)
         wrong = sum(bool(f["wrong"]) for f in some)
         others = sum(bool(set(f["claimed"]) - {*f["truth"], *dict(f["wrong"])}) for f in some)
-        return f"| {words} | {data} | {len(some)} | {share(wrong, len(some))} | ≤ {bar} % | {named} of {len(beside)} | {others} |"
+        shares = f"{share(wrong, len(some))} | ≤ {bar} % | {named} of {len(beside)} | {others}"
+        return f"| {words} | {data} | {len(some)} | {shares} |"
 
     yield row("all", found, BARS[0])
     for data in NOISE:
