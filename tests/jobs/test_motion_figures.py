@@ -167,6 +167,28 @@ def test_rows_that_never_come_down_to_the_base_circle_are_a_reservation(tmp_path
     assert [each.cure for each in found] == [f"subtract {above:g} mm from each row"] * held
 
 
+@pytest.mark.parametrize(
+    ("head", "scale", "state", "held"),
+    [
+        ("", 1 / 25.4, "", True),
+        ("", 1.0, "", False),
+        ("angle [deg],lift [mm]\n", 1 / 25.4, "", False),
+        ("", 1 / 25.4, 'table_unit = "mm"\n', False),
+        ("", 1 / 25.4, 'table_unit = "inch"\n', False),
+    ],
+)
+def test_a_table_without_a_unit_that_may_be_in_inches_is_a_reservation(tmp_path, head, scale, state, held):
+    theta = np.arange(0.0, 360.0, 2.0)
+    rows = lobe(np.radians(theta))[:, 0] * scale
+    text = head + "".join(f"{angle:g},{lift:.7f}\n" for angle, lift in zip(theta, rows, strict=True))
+    (tmp_path / "lobe.csv").write_text(text, encoding="utf-8")
+    begin, tail = FEEDER.split("segments = [")
+    table = f'table = "lobe.csv"\n{state}'
+    (tmp_path / "lobe.toml").write_text(begin + table + tail.split("]\n", 1)[1], encoding="utf-8")
+    found = [each.code for each in Design.load(tmp_path / "lobe.toml").cam().verdict.reservations]
+    assert ("unit-assumed" in found) == held
+
+
 def test_the_table_of_contacts_has_velocity_acceleration_and_jerk(tmp_path):
     cam = feeder().cam()
     cam.write(tmp_path, formats=["csv"])

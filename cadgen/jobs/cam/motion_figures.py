@@ -1,7 +1,7 @@
 """Figures of a motion: greatest velocity, acceleration and jerk with their places, its seams, and its table."""
 
 from collections.abc import Callable, Sequence
-from math import degrees
+from math import degrees, radians
 
 import numpy as np
 
@@ -28,6 +28,8 @@ _GREATEST = (
 _POWERS = ("", "", "²", "³")
 _MOST_PLACES = 4  # of jumps that a sentence names
 _PLACES = 3600  # of a turn at which the least lift is sought
+_SMALL = 0.04  # of the base circle's radius; a lift of inches that is taken for mm is less
+_SMALL_SWING = radians(1.0)  # in radians that are taken for degrees it is a swing of 57 degrees
 _HIGH = 0.02  # of the travel, up to which the least lift is a reading's fault or meant
 
 
@@ -155,7 +157,7 @@ def reservations_of(
     if isinstance(motion, SegmentMotion):
         held += _jump_reservations(motion, accepted)
     if isinstance(motion, TableMotion) and design.cam.base_radius_mm is None:
-        held += _high_reservation(motion)
+        held += [*_high_reservation(motion), *_unit_reservation(motion, design)]
     if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
         noise, unit = small_height(motion.noise, motion.unit)
@@ -178,6 +180,32 @@ def reservations_of(
             )
         )
     return tuple(held)
+
+
+def _unit_reservation(motion: TableMotion, design: MotionDesign) -> list[Reservation]:
+    """Reservation on a file without a unit whose lifts are as small as inches taken for mm, or radians for degrees."""
+    if not design.motion.table or design.motion.table_unit is not None:
+        return []
+    travel = float(np.ptp(motion.jets(np.linspace(0.0, TURN, _PLACES, endpoint=False))[:, 0]))
+    base = design.seat.base_radius
+    if motion.unit == MM and travel < _SMALL * base:
+        text = Message(
+            "neither the table nor the design says the unit of the lift, and in mm, as it was taken, it is "
+            "{travel:.3g} mm on a base circle of {base:g} mm",
+            travel=travel,
+            base=base,
+        )
+    elif motion.unit != MM and travel < _SMALL_SWING:
+        text = Message(
+            "neither the table nor the design says the unit of the swing, and in degrees, as it was taken, the arm "
+            "moves {travel:.3g}° in all",
+            travel=degrees(travel),
+        )
+    else:
+        return []
+    return [
+        Reservation("unit-assumed", text, Message("write the unit at the column's name, or state motion.table_unit"))
+    ]
 
 
 def _high_reservation(motion: TableMotion) -> list[Reservation]:
