@@ -16,7 +16,8 @@ from cadgen.messages import CHINESE, ENGLISH
 _PLACES = tuple(folder / "docs" for folder in Path(__file__).parents[:2])
 _PAGES = {ENGLISH: "glossary.md", CHINESE: "glossary.zh-CN.md"}
 # Words that tell no terms apart.
-_IDLE = {"a", "an", "the", "of", "mm", "µm", "deg"}
+_IDLE = {"a", "an", "the", "of", "mm", "µm", "um", "deg"}
+_MOST_WHOLE = 6  # terms that a word is a part of, the shortest ones
 _LINK = re.compile(r"\[([^]]+)\]\([^)]*\)")
 
 
@@ -38,15 +39,20 @@ class Term:
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """Spellings by which it is found, as `_plain` makes them."""
+        """Spellings by which it is found, as `plain` makes them."""
         listed = [one for name in (self.name, self.other_name) for one in re.split("[；;]", name)]
-        return tuple(map(_plain, [*listed, *(re.sub(r"[（(].*?[）)]", "", one) for one in listed)]))
+        return tuple(map(plain, [*listed, *(re.sub(r"[（(].*?[）)]", "", one) for one in listed)]))
 
 
-def _plain(text: str) -> str:
-    """Words of a text in small letters, singular, without articles, figures and units, a space between."""
+def plain(text: str) -> str:
+    """Words of a text in small letters, singular, without articles, figures and units, a space between.
+
+    Args:
+        text: a term, the name of a check, or what somebody wrote.
+    """
     words = re.findall(r"\w+", text.lower().replace("_", " "))
-    return " ".join(word.removesuffix("s") for word in words if not word.isdigit() and word not in _IDLE)
+    single = (re.sub("ies$", "y", word).removesuffix("s") for word in words if word not in _IDLE)
+    return " ".join(word for word in single if not word.isdigit())
 
 
 @cache
@@ -64,8 +70,8 @@ def terms(language: str = ENGLISH) -> Mapping[str, Term]:
         for entry in entries:
             name, _, body = entry.partition("\n")
             other, _, meaning = body.partition(" · ")
-            plain = _LINK.sub(r"\1", " ".join(meaning.split())).replace("`", "").replace("*", "")
-            found[name] = Term(name, other, plain, section.partition("\n")[0])
+            text = _LINK.sub(r"\1", " ".join(meaning.split())).replace("`", "").replace("*", "")
+            found[name] = Term(name, other, text, section.partition("\n")[0])
     return found
 
 
@@ -79,7 +85,7 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
     Returns:
         The best matches, none where there is no such term.
     """
-    wanted = _plain(word)
+    wanted = plain(word)
     if not wanted:
         return []
     by_name: dict[str, list[Term]] = {}
@@ -90,7 +96,7 @@ def find(word: str, language: str = ENGLISH) -> list[Term]:
     whole = [name for name in by_name if f" {wanted} " in f" {name} " or (letters and wanted in name)]
     parts = [name for name in by_name if len(name) > 1 and f" {name} " in f" {wanted} "]
     within = [name for name in by_name if len(name) > 1 and not name.isascii() and name in wanted]
-    found = [wanted] if wanted in by_name else sorted(whole, key=len) or _longest(parts or within)
+    found = [wanted] if wanted in by_name else sorted(whole, key=len)[:_MOST_WHOLE] or _longest(parts or within)
     return list({term.name: term for name in found for term in by_name[name]}.values())
 
 
@@ -108,4 +114,4 @@ def nearest(word: str, language: str = ENGLISH) -> list[str]:
         language: language of the names.
     """
     by_name = {name: term.name for term in terms(language).values() for name in term.names}
-    return list(dict.fromkeys(by_name[name] for name in get_close_matches(_plain(word), by_name, 3, 0.75)))
+    return list(dict.fromkeys(by_name[name] for name in get_close_matches(plain(word), by_name, 3, 0.75)))

@@ -21,7 +21,7 @@ from cadgen.design.file_names import name_fault
 from cadgen.design.gear_model import usual_chord
 from cadgen.design.train import MOST_STAGES
 from cadgen.errors import DesignError, brief
-from cadgen.figures import Facts
+from cadgen.figures import Facts, Figure, Figures
 from cadgen.gears import pair as numbers
 from cadgen.gears import spur
 from cadgen.gears import train as numeric
@@ -305,29 +305,34 @@ class Gear(Stated, OnePart, Pictured):
         """Whether the root cuts into the flanks."""
         return tooth_of(self.form).undercut
 
-    def entry(self) -> Facts:
-        """The gear, with span over teeth and size over pins, or over balls where it is helical or internal."""
-        gauge = "ball" if self.internal or self.form.helix_angle else "pin"
-        across = "between" if self.internal else "over"
+    @property
+    def figures(self) -> Figures:
+        """Figures of the gear with names and units: its teeth, the sizes to measure it by, bore and volume."""
         deviation = self.form.tooth_thickness_deviation
         sizes = inspection_of(self.form, deviation, deviation)
-        return (
-            Facts(gear=self.name)
-            | form_figures(self.form)
-            | Facts(
-                bore_mm=self.part.blank.bore_diameter,
-                **flats_of(self.part.blank),
-                E_sn_um=deviation * 1e3,
-                teeth_spanned=sizes.span.teeth_spanned if sizes.span else None,
-                span_mm=sizes.span.span.upper if sizes.span else None,
-                span_width_needed_mm=sizes.span.width_needed if sizes.span else sizes.span_needs,
-                **{
-                    f"{gauge}_diameter_mm": sizes.pins.pin_diameter if sizes.pins else None,
-                    f"{across}_{gauge}s_mm": sizes.pins.over_pins.upper if sizes.pins else None,
-                },
-                volume_mm3=self.part.volume,
-            )
+        span, pins = sizes.span, sizes.pins
+        gauge, across, size = "pin", "over", Message("size over pins")
+        if self.internal:
+            gauge, across, size = "ball", "between", Message("size between balls")
+        elif self.form.helix_angle:
+            gauge, size = "ball", Message("size over balls")
+        width = Message("face width that the span needs")
+        diameter = Message("pin diameter") if gauge == "pin" else Message("ball diameter")
+        return Figures(
+            *form_figures(self.form).values(),
+            Figure("bore", Message("bore diameter"), self.part.blank.bore_diameter, "mm"),
+            Figure("E_sn", "E_sn", deviation * 1e3, "µm"),
+            Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
+            Figure("span", Message("base tangent length"), span.span.upper if span else None, "mm"),
+            Figure("span_width_needed", width, span.width_needed if span else sizes.span_needs, "mm"),
+            Figure(f"{gauge}_diameter", diameter, pins.pin_diameter if pins else None, "mm"),
+            Figure(f"{across}_{gauge}s", size, pins.over_pins.upper if pins else None, "mm"),
+            Figure("volume", Message("volume"), self.part.volume, "mm3"),
         )
+
+    def entry(self) -> Facts:
+        """The gear, with span over teeth and size over pins, or over balls where it is helical or internal."""
+        return Facts(gear=self.name) | self.figures | Facts(**flats_of(self.part.blank))
 
     def _export(self) -> GearExport:
         return _export(self.name, self.form, self.part)

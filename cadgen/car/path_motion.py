@@ -164,7 +164,7 @@ def blend_checks(cam: RolledCam) -> tuple[Check, ...]:
     if lost or off:
         value, angle = max(lost + off)
         place = Message("{place}, where the car does not drive", place=cam_place(angle))
-    checks = [Check(CheckCode.BLEND_LIFT, Message("lift not given, blend"), value * 1e3, "µm", inf, Bound.MAX, place)]
+    checks = [Check(CheckCode.BLEND_LIFT, Message("lift error on the blend"), value * 1e3, "µm", inf, Bound.MAX, place)]
     rising = motion.q(contact.cam_angle, nu=1) >= 0
     angles = np.abs(contact.pressure_angle)
     for code, name, of_kind, usual in (

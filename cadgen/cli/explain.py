@@ -34,7 +34,7 @@ def explain(words: tuple[str, ...]) -> None:
                 for kind, key in keys
             ),
         ]
-        entries += _kinds(word)
+        entries += [*_kinds(word), *_deviations(word)]
         if (section := named_section(word.strip("[]"))) and section.name:
             takes = Message("keys: {names}", names=", ".join(section.names))
             entries.append((section.heading, shown(Message(section.meaning)), shown(takes)))
@@ -69,3 +69,21 @@ def _kinds(word: str) -> Iterator[tuple[str, str, str]]:
         yield f"{code} ({shown(Message('motion law'))})", shown(Message(laws.law_of(code).meaning)), ""
     if followers.has(code):
         yield f"{code} ({shown(Message('follower'))})", shown(Message(followers.kind_of(code).meaning)), ""
+
+
+def _deviations(word: str) -> Iterator[tuple[str, str, str]]:
+    """Effects that data are traced to, and deviations that are varied: heading, meaning, what tells an effect apart."""
+    from cadgen.deviations import catalogue
+    from cadgen.deviations.deviation import VARIED
+
+    wanted = glossary.plain(word)
+    kinds = (catalogue.LIFT, catalogue.PROFILE, catalogue.TRANSMISSION, catalogue.TRACK, catalogue.ZONES)
+    effects = {effect.name: effect for kind in kinds for effect in kind.entries}
+    for each in VARIED:
+        if each.zone and wanted in (glossary.plain(each.name), glossary.plain(shown(each.name))):
+            yield f"{shown(each.name)} ({shown(Message('tolerance'))})", shown(Message(each.zone.meaning)), ""
+    for effect in effects.values():
+        if wanted in (glossary.plain(effect.name), glossary.plain(shown(effect.name))):
+            meanings = joined((Message(number.meaning) for number in effect.parameters if number.meaning), "; ")
+            how = Message("told apart by: {how}", how=Message(effect.separated_by)) if effect.separated_by else ""
+            yield f"{shown(effect.name)} ({shown(Message('effect'))})", shown(meanings), shown(how)

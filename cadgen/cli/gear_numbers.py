@@ -19,7 +19,7 @@ from cadgen.errors import DesignError
 from cadgen.figures import Sheet
 from cadgen.figures import as_json as as_plain
 from cadgen.gears.choices import HelixHand, ToleranceStandard
-from cadgen.messages import Message
+from cadgen.messages import Message, clauses
 
 if TYPE_CHECKING:
     from cadgen import Gear, GearPair, Planetary, Written
@@ -329,7 +329,8 @@ def gear(
     if as_json:
         show.document(written.entry)
         return
-    _figures(Message("{name}, {teeth} teeth", name=made.name, teeth=teeth), made.entry().json())
+    figures = {clauses(each.name, each.unit) if each.unit else each.name: each.value for each in made.figures.values()}
+    _figures(Message("{name}, {teeth} teeth", name=made.name, teeth=teeth), figures)
     _files(written, out)
     show.verdict(True, Message("each file in {out} was read back", out=out), Message("make it"))
 

@@ -98,7 +98,9 @@ def test_each_limit_binds(carbon_free_car, change, name):
 
 
 def test_a_rod_that_ends_on_the_rim(carbon_free_car):
-    assert failed(run(carbon_free_car, follower=replace(carbon_free_car.follower, length=27.0))) == {"rod past the rim"}
+    assert failed(run(carbon_free_car, follower=replace(carbon_free_car.follower, length=27.0))) == {
+        "rod end beyond the rim"
+    }
 
 
 def test_a_hub_in_the_rods_way(carbon_free_car):
@@ -194,8 +196,8 @@ def test_lift_lost_in_the_blend_is_no_lost_lift_of_the_path(appendix_car):
     assert worst.driven
     moved = replace(appendix_car.lift, blend_start=worst.trim.before - 1e-3)
     blended = run(replace(appendix_car, lift=moved), limits=replace(LIMITS, cutter_radius=1.0))
-    assert blended["lift not given, blend"].value == pytest.approx(worst.lift * 1e3, rel=0.02)
-    assert "where the car does not drive" in blended["lift not given, blend"].place
+    assert blended["lift error on the blend"].value == pytest.approx(worst.lift * 1e3, rel=0.02)
+    assert "where the car does not drive" in blended["lift error on the blend"].place
     assert "lost lift, undercut" not in failed(blended)
     inside = replace(appendix_car.lift, blend_start=(worst.trim.before + worst.trim.after) / 2)
     parts = [loss for loss in lost_lift_of(replace(appendix_car, lift=inside)) if loss.trim is worst.trim]

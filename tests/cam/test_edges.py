@@ -153,7 +153,7 @@ def test_checks_of_broken_edges(carbon_free_car):
     steepest = np.abs(carbon_free_car.lift.q(np.linspace(0, 6.283, 20_000))).max()
     assert (lean.value, lean.limit) == (pytest.approx(np.degrees(np.arctan(steepest)), abs=1e-3), CHAMFER_LEAN)
     # The rod must still pass the disc's outer face, at 26.5 mm, not only its land.
-    assert checks["rod past the rim"].value == pytest.approx(11.735, abs=2e-3)
+    assert checks["rod end beyond the rim"].value == pytest.approx(11.735, abs=2e-3)
     assert checks["convex radius, profile"].limit == 1.2
     assert "lean over the chamfers" not in checks_of(carbon_free_car, 0.0)
 

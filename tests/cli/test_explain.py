@@ -52,6 +52,13 @@ def test_codes_of_kinds_and_a_term_with_a_word_before_it_are_explained(cadgen, w
     assert said in " ".join(cadgen("explain", word, code=0).stdout.split())
 
 
+def test_effects_and_tolerances_are_explained_from_the_catalogue(cadgen):
+    said = " ".join(cadgen("explain", "lost", "motion", "by", "friction", code=0).stdout.split())
+    assert "(effect) by which the dial lags behind the rod" in said
+    assert "told apart by: tap the lever" in said
+    assert "(tolerance) half of the play" in " ".join(cadgen("explain", "steering lost motion", code=0).stdout.split())
+
+
 @pytest.mark.parametrize("language", ["en", "zh"])
 def test_codes_that_the_screens_show_are_terms(language):
     """Kinds of profile, orders of a train, verdicts on measured data."""
@@ -95,8 +102,8 @@ def test_every_check_is_explained_by_its_code_and_by_its_name(language):
 @pytest.mark.parametrize(
     ("asked", "name"),
     [
-        ("Rod past the rim", "rod past the rim"),
-        ("'rod-past-rim'", "rod past the rim"),
+        ("Rod end beyond the rim", "rod end beyond the rim"),
+        ("'rod-past-rim'", "rod end beyond the rim"),
         ("edges broken 0.25 mm more", "edges broken more"),
         ("nearest post, with play", "nearest post"),
         ("course-post-play", "nearest post"),
@@ -134,13 +141,18 @@ def test_a_name_is_found_by_its_words_whatever_stands_about_them(asked, name):
         ),
         *("watertight", "tightest", "thinnest wall", "largest cutter radius", "wrong face carries", "rod pushed out"),
         *(
-            "lift not given, blend",
+            "lift error on the blend",
             "convex radius, theory",
             "lost lift, crossing",
             "gates passed",
             "least margin of a gate",
         ),
-        *("waypoints on the cut cam", "edge of the field, with play", "cars that keep the course", "rod past the rim"),
+        *(
+            "distance from the waypoints, cut cam",
+            "edge of the field, with play",
+            "cars that keep the course",
+            "rod end beyond the rim",
+        ),
         *("bodies overlap", "teeth jam", "play - computed, as cut", "contact ratio - formula", "roller falls short"),
         *(
             "play in the groove, greatest",
@@ -150,6 +162,16 @@ def test_a_name_is_found_by_its_words_whatever_stands_about_them(asked, name):
             "start pose",
         ),
         *("state (VDI 2143)", "closure", "outer face", "h_aP, h_fP, rho_fP", "thickness E_sns / E_sni", "span W_k, mm"),
+        *(
+            "_arcs.dxf",
+            "roller_actual_spline.dxf",
+            "_train.step",
+            "manifest.json",
+            "hash",
+            "conjugate pair",
+            "VDI 2143",
+        ),
+        *("play along the line of action", "teeth spanned", "tip form diameter d_Fa", "reference diameter d", "rms"),
         *("ball diameter D_M", "root form diameter", "sun", "planet", "ring", "carrier", "keyway"),
     ],
 )

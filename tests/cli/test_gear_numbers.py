@@ -23,7 +23,7 @@ def run(*arguments):
 def test_a_gear(tmp_path):
     done = run("gear", "--teeth", 20, *SIZES, "--helix-deg", 20, "--bore", 5, "--formats", "stl", "--out", tmp_path)
     assert done.exit_code == 0
-    assert "lead_mm" in done.output
+    assert "lead, mm" in done.output
     assert (tmp_path / "gear.stl").exists()
     ring = run(
         "gear", "--teeth", 50, "--internal", "--rim", 3, *SIZES, "--formats", "step", "--json", "--out", tmp_path

@@ -41,8 +41,8 @@ def test_the_workshop_s_car_does_not_mind_its_play(workshop):
     assert workshop.application.comparison.chosen.band.worst_distance < 1.0
     assert workshop.application.comparison.rubbing == ""
     checks = {check.name: check for check in workshop.checks}
-    assert checks["cam runs ahead"].value == 0.0
-    assert checks["cam holds"].value == pytest.approx(42.0 / 33.5, rel=5e-3)
+    assert checks["torque that turns the cam ahead"].value == 0.0
+    assert checks["drag over the drag that holds the cam"].value == pytest.approx(42.0 / 33.5, rel=5e-3)
     assert workshop.application.design.blank.edge_break_mm == 0.2
     facts = comparison_facts(workshop.application.comparison).json()["mechanics"]
     assert facts["friction"] == [0.05, 0.20]
@@ -59,8 +59,8 @@ def test_a_cam_for_a_rod_that_rubs(rubbing):
     assert comparison.chosen.made_for < comparison.chosen.play == pytest.approx(sum(comparison.band.ends) / 2)
     assert any("a change by 0.01 moves the end of the run" in reason for reason in comparison.reasons)
     checks = {check.name: check for check in rubbing.checks}
-    assert checks["cam runs ahead"].value > 20.0
-    assert "cam holds" not in checks
+    assert checks["torque that turns the cam ahead"].value > 20.0
+    assert "drag over the drag that holds the cam" not in checks
 
 
 @pytest.mark.slow
@@ -190,8 +190,8 @@ def test_friction_alone_is_never_counted_on(rubbing):
 def test_the_plain_profile_has_its_torques_too():
     plan = plan_cam(load_design("carbon_free_car", [*FRICTION, "mechanics.drag_least_Nmm=10"]), "actual")
     checks = {check.name: check for check in plan.checks}
-    assert checks["cam holds"].value == pytest.approx(10 / 32.63, rel=1e-3)
-    assert checks["cam runs ahead"].value == pytest.approx(18.8, abs=0.2)
+    assert checks["drag over the drag that holds the cam"].value == pytest.approx(10 / 32.63, rel=1e-3)
+    assert checks["torque that turns the cam ahead"].value == pytest.approx(18.8, abs=0.2)
 
 
 def test_friction_follows_from_the_materials():

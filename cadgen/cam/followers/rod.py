@@ -345,7 +345,7 @@ def _reach(rod: "LeaningRod", theta: Array, steering: Array, blank: Blank) -> Ch
     worst = int(np.argmin(beyond))
     return Check(
         CheckCode.ROD_PAST_RIM,
-        Message("rod past the rim"),
+        Message("rod end beyond the rim"),
         float(beyond[worst] - blank.faces(rod.inner, rod.outer)[1]),
         "mm",
         0.0,

@@ -214,7 +214,7 @@ class CourseRun:
         )
         if room is None:
             return
-        code, name = CheckCode.COURSE_BLEND, Message("least room on the blend")
+        code, name = CheckCode.COURSE_BLEND, Message("least margin on the blend")
         if self.play is not None:
             code, name = CheckCode.COURSE_BLEND_PLAY, Message("{name}, with play", name=name)
         yield Check(code, name, room[0], "mm", -inf, Bound.MIN, self._with_play(room[1]))
@@ -295,15 +295,17 @@ class CourseRun:
         if start is not None and self.play is None:
             key = start.wanted.key
             cure = Message("let the path start there, or change {key}", key=key)
-            yield self._off(start, CheckCode.COURSE_START, Message("start off"), cure)
+            yield self._off(start, CheckCode.COURSE_START, Message("distance from the start"), cure)
             cure = Message("let the path start in that direction, or change {key}.heading_deg", key=key)
-            yield from self._turned(start, CheckCode.COURSE_START_HEADING, Message("start, heading off"), cure)
+            yield from self._turned(start, CheckCode.COURSE_START_HEADING, Message("heading error at the start"), cure)
         if finish is not None:
             key = finish.wanted.key
             cure = Message("let the path finish there, or change {key}", key=key)
-            yield self._off(finish, CheckCode.COURSE_FINISH, Message("finish off"), cure)
+            yield self._off(finish, CheckCode.COURSE_FINISH, Message("distance from the finish"), cure)
             cure = Message("let the path finish in that direction, or change {key}.heading_deg", key=key)
-            yield from self._turned(finish, CheckCode.COURSE_FINISH_HEADING, Message("finish, heading off"), cure)
+            yield from self._turned(
+                finish, CheckCode.COURSE_FINISH_HEADING, Message("heading error at the finish"), cure
+            )
 
     def _off(self, stand: EndDeviation, code: CheckCode, name: Message, cure: Message) -> Check:
         reach = stand.wanted.place.reach or STAND_RADIUS  # a line has none, and rounding must not fail it

@@ -96,7 +96,7 @@ def mechanics_checks(
         need = holding(lift, band)
         ahead = max(need.with_friction - band.drag[0], 0.0)
         place = Message("cam angle {cam_angle:.1f}°", cam_angle=degrees(need.cam_angle))
-        name = Message("cam runs ahead")
+        name = Message("torque that turns the cam ahead")
         checks.append(Check(CheckCode.CAM_RUNS_AHEAD, name, ahead, "N·mm", inf, Bound.MAX, place))
         if band.drag[1] > 0 and need.torque > 0:
             # A figure, not a verdict: 1 and more holds.
@@ -105,7 +105,17 @@ def mechanics_checks(
             if band.behind > 0:
                 play = degrees(band.behind)
                 where = Message("nothing holds the disc's {play:.3f}° of play on its shaft", play=play)
-            checks.append(Check(CheckCode.CAM_HOLDS, Message("cam holds"), margin, "", -inf, Bound.MIN, where))
+            checks.append(
+                Check(
+                    CheckCode.CAM_HOLDS,
+                    Message("drag over the drag that holds the cam"),
+                    margin,
+                    "",
+                    -inf,
+                    Bound.MIN,
+                    where,
+                )
+            )
     width = design.follower.bearing_width
     if width is not None:
         checks.append(

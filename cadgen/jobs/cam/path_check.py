@@ -116,7 +116,7 @@ def path_checks(design: Design, track: Track, lift: PathMotion) -> tuple[Check, 
         lift: lift wanted.
     """
     codes = (CheckCode.PATH_WAYPOINT, CheckCode.PATH_END)
-    names = (Message("driven past the waypoints"), Message("driven to the path's end"))
+    names = (Message("distance from the waypoints"), Message("distance from the path's end"))
     return _checks(codes, names, track, path_deviation(design, track, lift, lift), MOST_OFF_PATH)
 
 
@@ -139,8 +139,8 @@ def cut_checks(
     given_up = design.checks.lost_lift_effect_mm if lost or cam_model.as_built(design).shapes_discs else 0.0
     codes = (CheckCode.CUT_WAYPOINT, CheckCode.CUT_END)
     names = (
-        Message("waypoints on the cut cam"),
-        Message("path's end on the cut cam"),
+        Message("distance from the waypoints, cut cam"),
+        Message("distance from the path's end, cut cam"),
     )
     return _checks(codes, names, track, path_deviation(design, track, lift, rolled), MOST_OFF_PATH + given_up)
 

@@ -164,7 +164,7 @@ def train_step(train: TrainExport, folder: Path) -> list[Artifact]:
     off = [abs(error) for error in in_mesh.errors if error is not None]
     reading = Message("no play to measure: see the checks")
     if off:
-        reading = Message("play off by {off:.3f} µm", off=max(off))
+        reading = Message("play {off:.3f} µm from the computed", off=max(off))
     return [Artifact(assembly.name, whole | in_mesh.entry(), (reading,)), *of_parts]
 
 
