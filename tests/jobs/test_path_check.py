@@ -74,7 +74,7 @@ def test_a_cam_cut_for_another_lift_fails_on_what_is_cut_alone(since, passed):
     assert list(found) == [CheckCode.CUT_WAYPOINT, CheckCode.CUT_END]
     assert [check.limit for check in found.values()] == [MOST_OFF_PATH, MOST_OFF_PATH]
     assert all(check.passed == passed for check in found.values())
-    assert all(check.value < 1e-3 or not passed for check in found.values())
+    assert all(check.value < 2e-3 or not passed for check in found.values())
 
 
 def test_the_plain_cam_is_driven_as_it_is_cut_and_one_against_play_is_not():
@@ -93,7 +93,7 @@ def test_lost_lift_that_is_allowed_is_a_reservation_with_its_cost():
     assert not list(lost_lift_reservation([effect]))
     (said,) = lost_lift_reservation([replace(effect, value=8 * effect.value, limit=2.0)])
     assert said.entry().json()["cost"] == 8 * effect.value
-    assert "lost lift moves the car by up to 1.0 mm" in str(said.sentence)
+    assert f"lost lift moves the car by up to {8 * effect.value:.1f} mm" in str(said.sentence)
     assert not list(lost_lift_reservation([replace(effect, value=8 * effect.value, limit=0.5)]))  # it fails as a check
 
 
