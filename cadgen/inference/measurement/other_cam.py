@@ -33,7 +33,8 @@ NEAR = 300.0
 LESS = 2
 
 
-# Odds at which one of two cams is taken: 150 to 1, in -2 log of likelihood.
+# Odds at which one of two cams is taken: 150 to 1, in -2 log of likelihood; and for each shape without a name that one
+# needs more, since what two cams differ by is such a shape.
 SURE = 10.0
 # Two cams are the same if their lifts nowhere differ by more, as the tangent of the steering angle: 0.2 um of the lift.
 ALIKE = 1e-5
@@ -49,7 +50,7 @@ class OtherCam:
         profile: code of its profile.
         earlier: whether it is the cam that the design had before it was calibrated.
         better: by how much the records fit it better than the stated cam, in the criterion, -2 log of likelihood with
-            the price of the effects.
+            the price of the effects, and `SURE` for each shape that it needs more.
         effects: names of the effects that the car has then, in the order of the catalogue.
         instead: those that it has with the stated cam.
     """
@@ -101,6 +102,7 @@ def other_cam(
     found = find(joint, stated.usual)[0]
     # What was measured of the play apart speaks for a cam as well.
     better = float(best.score + _off(best, stated.play) - found.score - _off(found, other.play))
+    better -= SURE * max(sum(e.shape for e in found.effects) - sum(e.shape for e in best.effects), 0)
     if better < -SURE or (better <= SURE and _same(best, found)):
         return None
     # Where neither cam comes near the records, that one of them is nearer says nothing.

@@ -3,6 +3,7 @@
 from dataclasses import replace
 from math import radians
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,8 +11,10 @@ import pytest
 from cadgen.car.path_motion import path_motion
 from cadgen.car.steering import steering_jets
 from cadgen.design.load import load_design
+from cadgen.inference.measurement import other_cam as room
 from cadgen.inference.measurement.diagnosis import weigh_together
-from cadgen.inference.measurement.other_cam import other_cam
+from cadgen.inference.measurement.other_cam import SURE, other_cam
+from cadgen.inference.measurement.verdict import Verdict
 from cadgen.jobs.calibration.calibration import calibrate, stated_profile
 from cadgen.jobs.calibration.calibration_report import report
 from cadgen.jobs.calibration.sources import read, source_of
@@ -69,3 +72,33 @@ def test_a_cam_whose_run_ends_elsewhere_is_judged_over_the_same_rows(nominal, sy
     assert found is not None
     assert found.better < 0
     assert (found.effects, found.instead) == (("steering zero", "lever gain"), ("steering zero",))
+
+
+@pytest.mark.parametrize(("of_stated", "of_other", "surely"), [(0, 0, True), (0, 1, False), (1, 1, True), (2, 1, True)])
+def test_a_shape_without_a_name_that_only_the_other_cam_needs_speaks_against_it(
+    nominal, monkeypatch, of_stated, of_other, surely
+):
+    """Two cams differ by such shapes: a clean car was refused its cam for two of them, by 10.2 where 10 are asked."""
+
+    def subset(score, shapes):
+        effects = tuple(SimpleNamespace(name="steering off", shape=True) for _ in range(shapes))
+        return SimpleNamespace(score=score, effects=effects, values=lambda: [(effect, 0.0, 0.0) for effect in ()])
+
+    wider = path_motion(
+        nominal.track.arc,
+        steering_jets(nominal.track, replace(nominal.car, wheelbase=1.01 * nominal.car.wheelbase)),
+        nominal.track.length,
+        blend=radians(20.0),
+    )
+    monkeypatch.setattr(room, "_against", lambda joint, nominal: SimpleNamespace(parts=(None,)))
+    monkeypatch.setattr(room, "find", lambda joint, usual: [subset(-1.5 * SURE, of_other)])
+    monkeypatch.setattr(room, "left_over", lambda part, joint, found: 1.0)
+    weighed = SimpleNamespace(
+        found=[subset(0.0, of_stated)], joint=None, judgement=SimpleNamespace(verdict=Verdict.PARTIAL)
+    )
+    found = other_cam(weighed, nominal, replace(nominal, lift=wider), "optimized")
+    if surely:
+        assert found is not None
+        assert found.fits_better
+    else:
+        assert found is None or not found.fits_better
