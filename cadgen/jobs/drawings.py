@@ -369,7 +369,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     stem = f"{plan.stem}_plate"
     title = title_of(origin, plan.title, Message("plate for the axes"), plan.making.plate or "", stem, folder)
     title = replace(title, quantity=2 * title.quantity)
-    holes = Message("shaft Ø, mm") if plan.making.bearing_bores is None else Message("hole Ø, mm")
+    of_shafts = plan.making.bearing_bores is None and not plan.making.holes
+    holes = Message("shaft Ø, mm") if of_shafts else Message("hole Ø, mm")
     plate = plate_of(plan)
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
     yield stem, plate_drawing(plate, holes, tuple(_plate_notes(plan, bool(zones))), title, zones)

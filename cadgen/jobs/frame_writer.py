@@ -176,21 +176,18 @@ class _Files:
             zones = seat_zones(sorted(hole.shaft for hole in panel.holes if hole.fit and hole.shaft), train)
         walls = () if frame.printed is None else frame.standing
         thick = panel.thickness
-        notes = [] if zones else [Message("Sheet {thickness:g} mm thick.", thickness=thick)]
+        notes: list[Message] = []
         if panel in walls:
             notes = [Message("Wall of the frame that is printed in one piece, {size:g} mm thick.", size=thick)]
         elif walls and panel is frame.base:
             notes = [Message("Base of {size:g} mm with walls on its upper face.", size=thick)]
         datum = Message("axis of the camshaft")
-        between: list[tuple[str, tuple[float, float], tuple[float, float], str]] = []
+        between: list[tuple[str, tuple[float, float], tuple[float, float]]] = []
         if panel is frame.base:
             notes += self._base_notes()
             a = frame.site.base_radius
-            deviation = self.job.design.tolerances.base_radius_mm
             datum = Message("axis of the camshaft, and inner face of the disc")
-            between.append(
-                ("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork), f" ±{deviation:g}" if deviation else "")
-            )
+            between.append(("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork)))
         elif panel is frame.platform or panel.code == "guide_top":
             notes.append(Message("Seen from above, the front of the car to the left."))
             datum = Message("axis of the camshaft, and inner face of the disc")

@@ -12,7 +12,7 @@ from cadgen.jobs.drawings import Folder, title_of
 from cadgen.messages import Message
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, block_drawing, turned_drawing
 from cadgen.output.drawing.shaft_fit import limited
-from cadgen.output.drawing.sheet import DrawingSheet, rounded
+from cadgen.output.drawing.sheet import DrawingSheet
 
 # Classes of diameters by the code of the part: of its bores or holes, and of its outside.
 _FITS: dict[str, tuple[str, str]] = {
@@ -123,16 +123,6 @@ def _texts(
     if part.code in _NOTES:
         notes.append(_NOTES[part.code])
     shape, width = part.shape, ""
-    for away, across in (step.beside for step in steps):
-        if across:
-            notes.append(
-                Message(
-                    "Hole for the string through the flange at the left end: Ø{size:g}, its middle {radius} mm from "
-                    "the axis.",
-                    size=across,
-                    radius=rounded(away, 2),
-                )
-            )
     for seat in shape.cuts if isinstance(shape, Block) else ():
         width = limited(_seat_size(seat)[0], "P9")
     return PartTexts(

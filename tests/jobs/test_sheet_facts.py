@@ -211,6 +211,10 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
     assert said["fork-spindle"]["radial hole"].suffix == " H7 (+0.012/0) x 7"
     assert said["drive-wheel"]["radial hole"].prefix == "M"
     assert said["drive-wheel"]["bore 5"].suffix == " H7 (+0.012/0)"
+    assert (said["fork-spindle"]["diameter 6"].prefix, said["front-wheel"]["diameter 10"].prefix) == ("2 × Ø", "2 × Ø")
+    # Hub and rim are one part: two areas of the section, Ø39 x 4 and twice Ø10 x 4 less the bore of Ø4.
+    areas = [shapely.Polygon(each.outside).area for each in drawn["front-wheel"].views[0].hatches]
+    assert areas == pytest.approx([4 * (19.5 - 2) + 8 * (5 - 2)] * 2)
     wheel = said["drive-wheel"]
     assert [each.suffix for name, each in wheel.items() if name.startswith("diameter 131")] == [" ±0.04"]
     assert said["front-wheel"]["length"].suffix == " (-0.1/-0.2)"  # it turns between cheeks as far apart as it is long
@@ -298,7 +302,19 @@ def test_plates_and_block_of_the_frame_hold_their_seats_by_frames(sheets: dict[s
         assert [each.datums for each in others] == [("A", "B"), *[("A", "B", "C")] * (count - 2)]
         assert {each.characteristic for each in others} == {Characteristic.POSITION}
         assert not any("±" in note or "Ø" in note or "M3" in note for note in sheet.notes)
-        assert any(cell.startswith("M3 × ") for row in sheet.tables[0].rows for cell in row)
+        assert any(cell == "M3 × 6 / Ø2.5 × 8" for row in sheet.tables[0].rows for cell in row)
+    # Sheets without a view from the side say their thickness by the sign of ISO 129-1, within their outline.
+    for code, thick in (("base", 6), ("platform", 6), ("bracket_idle", 8), ("bracket_micrometer", 8)):
+        sheet = sheets[f"workshop_car_frame_{code}"]
+        (sign,) = (each for each in sheet.views[0].labels if each.text.startswith("t"))
+        texts = document_of(sheet).modelspace().query("TEXT")
+        assert [text.dxf.text for text in texts].count(f"t = {thick}") == 1
+        outline = next(curve.contour for curve in sheet.views[0].curves if isinstance(curve, Closed))
+        assert shapely.Polygon(outline.polygon(0.01)).contains(shapely.Point(sign.at))
+    (set_apart,) = (
+        each for each in sheets["workshop_car_frame_base"].views[0].dimensions if each.name == "camshaft to fork axis"
+    )
+    assert (set_apart.prefix, set_apart.suffix) == ("(", ")")  # auxiliary (ISO 129-1)
     block = sheets["workshop_car_frame_block"]
     square, aligned = (each for each in block.views[1].symbols if isinstance(each, ToleranceFrame))
     assert (square.characteristic, square.zone_text, square.datums) == (

@@ -79,6 +79,9 @@ class SheetHole(NamedTuple):
     shaft: int = 0
 
 
+THREAD_END = 2.0  # mm by which a blind hole is deeper than the thread in it
+
+
 class EdgeHole(NamedTuple):
     """Blind hole in the foot of a standing sheet, for a thread: from the foot inwards, along v.
 

@@ -4,9 +4,10 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import shapely
 
 from cadgen.car.assembly.frame.fork_block import ForkBlock
-from cadgen.car.assembly.panels import Feature, Panel, rectangle
+from cadgen.car.assembly.panels import THREAD_END, Feature, Panel, rectangle
 from cadgen.curves.contour import Contour
 from cadgen.gears.fits import deviations
 from cadgen.messages import Message
@@ -50,6 +51,7 @@ from cadgen.output.drawing.sheet import (
 
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
 _WIDTHS = (9.0, 18.0, 18.0, 36.0, 58.0)  # of the columns of a sheet part's table, mm
+_WITHIN_CHORD = 0.05  # mm, of outlines between which a text has room
 _WITHIN = 8.0  # mm on paper, least width and height with room for a number
 _LEANS = 0.1  # mm by which both ends of a leaning side are apart either way
 _NUMBER = 3.0  # mm on paper from a hole to its number
@@ -62,7 +64,7 @@ class PanelText:
     Attributes:
         datum: what the datum is, for people.
         notes: sentences for the shop.
-        between: further dimensions: name, first and second point on the part, mm, and text after the number.
+        between: auxiliary dimensions: name, first and second point on the part, mm.
         zones: zones of the seats of shafts by their numbers, mm; none where no distance has a tolerance.
         thread: name of the threads in the foot.
         walls: feet of the walls that stand on the part, mm.
@@ -70,7 +72,7 @@ class PanelText:
 
     datum: str
     notes: tuple[str, ...]
-    between: tuple[tuple[str, tuple[float, float], tuple[float, float], str], ...] = ()
+    between: tuple[tuple[str, tuple[float, float], tuple[float, float]], ...] = ()
     zones: Mapping[int, float] = field(default_factory=dict)
     thread: str = ""
     walls: tuple[Contour, ...] = ()
@@ -121,9 +123,10 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         _to_datum("datum along", (left, low), (left, low - gap), 0.0, scale),
         _to_datum("datum across", (left, low), (min(left, 0.0) - 0.8 * gap, low), 90.0, scale),
     ]
-    for number, (name, start, end, suffix) in enumerate(text.between):
+    for number, (name, start, end) in enumerate(text.between):
         over = max(high, 0.0) + (0.9 + 0.9 * number) * gap
-        dimensions.append(LinearDimension(name=name, start=start, end=end, at=(start[0], over), suffix=suffix))
+        made = LinearDimension(name=name, start=start, end=end, at=(start[0], over), prefix="(", suffix=")")
+        dimensions.append(made)  # auxiliary: not of the part, but of how it is set
     for dimension in dimensions:
         room.take(dimension)
     labels = [Label(text="0", at=(-3.0 / scale, -3.0 / scale), height=3.5)]
@@ -135,10 +138,21 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         _number(room, str(number), feature, scale)
         for number, feature in enumerate(panel.features, len(panel.holes) + 1)
     ]
+    before = len(panel.holes) + len(panel.features)
+    labels += [
+        room.label(str(number), (edge.u, edge.v), _NUMBER, TEXT, (scale * edge.diameter / 2, 0.0))
+        for number, edge in enumerate(panel.edge_holes, before + 1)
+    ]
     labels += [
         room.label(str(number), corner, _NUMBER, TEXT)
-        for number, corner in enumerate(slanted_corners(panel), len(panel.holes) + len(panel.features) + 1)
+        for number, corner in enumerate(slanted_corners(panel), before + len(panel.edge_holes) + 1)
     ]
+    if not text.zones and not text.walls:  # else a view from the side has it, or walls stand on it
+        across = TEXT * WIDEST * len(f"t = {rounded(panel.thickness)}")
+        for label in _thickness_places(panel, across / scale, scale):
+            room.take(label)
+            labels.append(label)
+            break
     seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
     seats.sort(key=lambda hole: hole.shaft)
     framed = [
@@ -183,6 +197,32 @@ def _number(room: Room, number: str, feature: Feature, scale: float) -> Label:
     return room.label(number, (feature.u, feature.v), _NUMBER, TEXT, (along / 2, across / 2))
 
 
+def _thickness_places(panel: Panel, across: float, scale: float) -> Iterator[Label]:
+    """Thickness of a sheet as `t = 6` (ISO 129-1) where material has room for it, the roomiest place first.
+
+    Args:
+        panel: sheet part.
+        across: width of the text, mm on the part.
+        scale: mm on paper for a mm of the part.
+    """
+    solid = shapely.Polygon(panel.outline.polygon(_WITHIN_CHORD))
+    open_areas = [shapely.Polygon(cut.polygon(_WITHIN_CHORD)) for cut in panel.cuts]
+    open_areas += [shapely.Point(hole.u, hole.v).buffer(hole.diameter / 2 + 5.0 / scale) for hole in panel.holes]
+    open_areas += [
+        shapely.box(edge.u - edge.diameter, edge.v, edge.u + edge.diameter, edge.v + edge.depth)
+        for edge in panel.edge_holes
+    ]
+    area = solid.difference(shapely.union_all(open_areas)).buffer(-TEXT / scale)
+    left, low, right, high = area.bounds
+    grid = [(x, y) for y in np.linspace(low, high, 25).tolist() for x in np.linspace(left, right, 25).tolist()]
+    texts = [shapely.LineString([(x - across / 2, y), (x + across / 2, y)]) for x, y in grid]
+    clear = [
+        (area.boundary.distance(line), place) for line, place in zip(texts, grid, strict=True) if area.contains(line)
+    ]
+    for _, place in sorted(clear, reverse=True)[:1]:
+        yield Label(text=f"t = {rounded(panel.thickness)}", at=place)
+
+
 def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
     yield ("", "x, mm", "y, mm", Message("size, mm"), Message("what"))
     number = 0
@@ -199,8 +239,10 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
         size = f"{rounded(feature.along, 2)} × {rounded(feature.across, 2)}" if feature.along else Message("see DXF")
         yield str(number), _at(feature.u), _at(feature.v), size, feature.name
     for edge in panel.edge_holes:
-        size = f"{text.thread} × {rounded(edge.depth, 2)}, {DIAMETER}{rounded(edge.diameter, 2)}"
-        yield "", _at(edge.u), _at(edge.v), size, Message("thread in the foot, mid-thickness")
+        number += 1
+        thread, drilled = rounded(edge.depth - THREAD_END, 2), rounded(edge.depth, 2)
+        size = f"{text.thread} × {thread} / {DIAMETER}{rounded(edge.diameter, 2)} × {drilled}"
+        yield str(number), _at(edge.u), _at(edge.v), size, Message("thread in the foot, mid-thickness")
     for x, y in slanted_corners(panel):
         number += 1
         yield str(number), _at(x), _at(y), "", Message("corner of the outline")
@@ -263,7 +305,8 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
     for at in block.threads:
         cut.append(Closed(_box(at - block.tap / 2, 0.0, at + block.tap / 2, block.depth)))
         cut += [
-            Stroke(np.array([[at + side, 0.0], [at + side, block.depth]]), LineKind.THIN) for side in (-thick, thick)
+            Stroke(np.array([[at + side, 0.0], [at + side, block.depth - THREAD_END]]), LineKind.THIN)
+            for side in (-thick, thick)
         ]
         cut.append(Stroke(np.array([[at, -2.0], [at, block.depth + 2.0]]), LineKind.CENTRE))
     cut.append(Stroke(np.array([[0.0, -3.0], [0.0, tall + 3.0]]), LineKind.CENTRE))
@@ -321,7 +364,7 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
                 centre=(block.threads[-1], 0.0),
                 diameter=2 * thick,
                 prefix=f"{len(block.threads)} × ",
-                suffix=f" × {rounded(block.depth, 2)}",
+                suffix=f" × {rounded(block.depth - THREAD_END, 2)}",
                 sign="M",
                 angle=-60.0,
             ),

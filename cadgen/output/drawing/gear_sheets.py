@@ -22,9 +22,13 @@ from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
     LEFT,
+    SHORT,
     SHOWN,
     SIZES,
+    TAIL,
+    TEXT,
     TITLE_SIZE,
+    WIDEST,
     Characteristic,
     Closed,
     DatumFeature,
@@ -612,6 +616,10 @@ def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: Scre
         radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
         yield axial_diameter("recess diameter", low, body.slabs[0].rings[1].radii[1], low - 1.9 * gap)
         yield along_axis("web thickness", (web.start, web.end), -radius, -reach - 0.8 * gap)
+        deep = along_axis("depth of the lower recess", (low, web.start), -radius, reach + 1.7 * gap)
+        long, wide = TEXT * WIDEST * len(rounded(web.start - low)), scale * (web.start - low)
+        away = wide / 2 + (TAIL if wide < SHORT else 0.0) + long / 2 + 1.0
+        yield replace(deep, start=(low, reach), end=(web.start, radius), beside=0.0 if wide > long + 4.0 else -away)
 
 
 def _notes(gear: GearPart) -> Iterator[str]:
@@ -633,10 +641,8 @@ def _notes(gear: GearPart) -> Iterator[str]:
         )
     elif blank.key:
         yield Message("A tooth of each gear stands over the middle of the flat.")
-    if blank.web:
-        yield Message("The web is midway along the width; both recesses are alike.")
     drilled = _drilled(gear.part)
-    if drilled and len(gear.part.gears) > 1:
+    if drilled and gear.part.gears[-1].tip_diameter > gear.part.gears[0].tip_diameter:
         size, circle = map(rounded, _hole_sizes(drilled))
         yield Message(
             "The holes, {count} × Ø{size} on Ø{circle}, are in the lower gear.",

@@ -13,6 +13,9 @@ from cadgen.curves.contour import Contour
 from cadgen.gears.train import Train
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.sheet import (
+    TAIL,
+    TEXT,
+    WIDEST,
     Characteristic,
     Closed,
     DatumFeature,
@@ -23,6 +26,7 @@ from cadgen.output.drawing.sheet import (
     Symbol,
     ToleranceFrame,
     View,
+    rounded,
 )
 
 _AROUND = range(0, 360, 15)  # degrees
@@ -141,8 +145,13 @@ def edge_view(
     dimensions: tuple[Dimension, ...] = ()
     if thickness is not None:
         over = high + _OVER / scale
+        long = TEXT * WIDEST * len(rounded(wide))
         made = LinearDimension(
-            name="thickness", start=(0.0, high), end=(wide, high), at=(0.0, over), beside=scale * wide / 2 + 7.0
+            name="thickness",
+            start=(0.0, high),
+            end=(wide, high),
+            at=(0.0, over),
+            beside=0.0 if scale * wide > long + 4.0 else scale * wide / 2 + TAIL + long / 2 + 1.0,
         )
         dimensions = (made,)
     heights = np.linspace(low, high, 41)[4:-4]

@@ -7,6 +7,7 @@ through two parts with this tolerance. The frames are those of ISO 5458, the rul
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -34,7 +35,6 @@ from cadgen.output.drawing.sheet import (
     DiameterDimension,
     Dimension,
     DrawingSheet,
-    Hatch,
     Label,
     LinearDimension,
     LineKind,
@@ -157,29 +157,29 @@ def turned_drawing(
         place = (place[0], place[1] + _RAISED)
     gap, step_out = _FIRST / scale, _STEP / scale
     curves: list[Closed | Stroke] = []
-    hatches: list[Hatch] = []
+    areas: list[shapely.Geometry] = []
     for step in steps:
         outer = step.diameter / 2
         if not step.bore:
             corners = np.array([[step.low, -outer], [step.high, -outer], [step.high, outer], [step.low, outer]])
             curves.append(Closed(Contour(corners, np.zeros(4))))
             continue
-        for side in (-1, 1):
-            inner, outer = side * step.bore / 2, side * step.diameter / 2
-            corners = np.array([[step.low, inner], [step.high, inner], [step.high, outer], [step.low, outer]])
-            curves.append(Closed(Contour(corners[::side], np.zeros(4))))
-            away, across = step.beside
-            if side < 0 or not across:
-                hatches.append(Hatch(corners))
-                continue
-            for one, other in ((inner, away - across / 2), (away + across / 2, outer)):
-                hatches.append(
-                    Hatch(np.array([[step.low, one], [step.high, one], [step.high, other], [step.low, other]]))
-                )
-            for height in (away - across / 2, away + across / 2):
+        areas += [shapely.box(step.low, inner, step.high, outer) for inner, outer in _cut_of(step)]
+        if step.beside[1]:
+            away, half = step.beside[0], step.beside[1] / 2
+            for height in (away - half, away + half):
                 curves.append(Stroke(np.array([[step.low, height], [step.high, height]])))
             line = np.array([[step.low - 0.3 * gap, away], [step.high + 0.3 * gap, away]])
             curves.append(Stroke(line, LineKind.CENTRE))
+    whole = shapely.union_all(areas)
+    cut = [each for each in shapely.get_parts(whole) if isinstance(each, shapely.Polygon)]
+    outlines, hatches = outlines_and_hatches(cut)
+    curves += outlines
+    bores = [0.0, *(step.bore for step in steps), 0.0]
+    for z, before, after in zip([low, *(step.high for step in steps)], bores, bores[1:], strict=False):
+        if before != after:  # an edge of the bore, seen beyond the cut
+            across = max(before, after) / 2
+            curves.append(Stroke(np.array([[z, -across], [z, across]])))
     axis = np.array([[low - 0.6 * gap, 0.0], [high + 0.6 * gap, 0.0]])
     curves.append(Stroke(axis, LineKind.CENTRE))
     dimensions: list[Dimension] = []
@@ -207,7 +207,9 @@ def turned_drawing(
     for name, (z, diameter, right) in sorted(ends_of.items(), key=extent):
         at = (high if right else low) + (1 if right else -1) * (gap + sides[right] * step_out)
         sides[right] += 1
-        dimensions.append(_diameter(name, z, diameter, at, texts))
+        alike = _alike(steps, diameter) if name.startswith("diameter") else 1
+        dimensions.append(_diameter(name, z, diameter, at, texts, f"{alike} × {DIAMETER}" if alike > 1 else DIAMETER))
+    dimensions += _holes_beside(steps, reach, low - gap - sides[0] * step_out, scale)
     if hole is not None:
         across, at_z = hole
         middle = next(step for step in steps if step.low < at_z < step.high)
@@ -281,6 +283,38 @@ def turned_drawing(
         symbols=tuple(_turned_symbols(steps, dimensions, scale, texts)),
     )
     return _sheet(size, scale, (view, *sections), texts, title)
+
+
+def _cut_of(step: TurnedStep) -> Iterator[tuple[float, float]]:
+    """Distances from the axis between which a bored step is cut, over the axis and under it, less a hole beside it."""
+    inner, outer = step.bore / 2, step.diameter / 2
+    yield -outer, -inner
+    away, half = step.beside[0], step.beside[1] / 2
+    yield from ((inner, away - half), (away + half, outer)) if half else ((inner, outer),)
+
+
+def _holes_beside(steps: Sequence[TurnedStep], reach: float, at: float, scale: float) -> Iterator[LinearDimension]:
+    """Place and diameter of the hole for the string beside the axis.
+
+    Args:
+        steps: steps of the part.
+        reach: greatest radius of the part, mm.
+        at: place of the first dimension line, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    for step in steps:
+        away, across = step.beside
+        if across:
+            yield across_axis("string's hole from the axis", step.low, (0.0, away), at)
+            over = (reach - away) * scale + TEXT * _LETTER * (len(rounded(across)) + 1) / 2 + 3.0
+            ends = (away - across / 2, away + across / 2)
+            yield replace(across_axis("string's hole", step.low, ends, at - _STEP / scale, DIAMETER), beside=over)
+
+
+def _alike(steps: Sequence[TurnedStep], diameter: float) -> int:
+    """Number of places at which a part has a diameter: steps that follow each other are one."""
+    has = [False, *(abs(step.diameter - diameter) < _CHORD for step in steps)]
+    return sum(there and not before for before, there in pairwise(has))
 
 
 def _seat_sections(
@@ -522,8 +556,8 @@ def _position(name: str) -> ToleranceFrame:
     )
 
 
-def _diameter(name: str, z: float, diameter: float, at: float, texts: PartTexts) -> LinearDimension:
-    made = across_axis(name, z, (-diameter / 2, diameter / 2), at, "Ø")
+def _diameter(name: str, z: float, diameter: float, at: float, texts: PartTexts, prefix: str) -> LinearDimension:
+    made = across_axis(name, z, (-diameter / 2, diameter / 2), at, prefix)
     return LinearDimension(
         name=made.name,
         start=made.start,

@@ -217,7 +217,7 @@ class Room:
             text = _HEAVY * (self._heavy.intersection(air).length + self._texts.intersection(air).area)
             text += _LIGHT * self._light.intersection(air).length
             line = _ACROSS * shapely.get_num_coordinates(self._heavy.intersection(lines))
-            line += _LIGHT * self._light.intersection(lines).length
+            line += _LIGHT * self._light.intersection(lines).length + _HEAVY * self._texts.intersection(lines).length
             return float(each[1] + outside + text + line)
 
         # Without its lines a place costs less: the search ends where that alone is more than the best.

@@ -10,7 +10,17 @@ from cadgen.car.assembly.car_parts import Block, Drilled, Prism
 from cadgen.car.assembly.fork_sizes import SPINDLE
 from cadgen.car.assembly.frame.frame_ground import FrameGround
 from cadgen.car.assembly.frame.frame_sizes import STEP
-from cadgen.car.assembly.panels import LYING, ConvexPrism, Feature, Panel, PartPlace, SheetHole, rectangle, slot
+from cadgen.car.assembly.panels import (
+    LYING,
+    THREAD_END,
+    ConvexPrism,
+    Feature,
+    Panel,
+    PartPlace,
+    SheetHole,
+    rectangle,
+    slot,
+)
 from cadgen.car.assembly.standard_parts import Bearing
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
@@ -106,7 +116,7 @@ def fork_block(ground: FrameGround) -> ForkBlock:
         fit=sizes.seat,
         threads=(-apart, apart),
         tap=sizes.screw.tap_drill,
-        depth=sizes.screw.least_length + 2.0,
+        depth=sizes.screw.least_length + THREAD_END,
         place=PartPlace(LYING, np.array([ground.site.base_radius, upper, ground.site.fork])),
     )
 

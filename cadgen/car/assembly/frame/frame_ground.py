@@ -21,6 +21,7 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.frame.frame_sizes import STEP, FrameSizes
+from cadgen.car.assembly.panels import THREAD_END
 from cadgen.car.assembly.site import STEERING_STEPS, CarSite, OnShaft
 from cadgen.car.assembly.standard_parts import Bearing, screw_length, smallest_bearing
 
@@ -136,7 +137,7 @@ class FrameGround:
     @property
     def screw_depth(self) -> float:
         """Depth of what a screw needs in a sheet, with the wall behind it, mm."""
-        return self.screw_length - self.sizes.base + 2.0 + self.sizes.wall
+        return self.screw_length - self.sizes.base + THREAD_END + self.sizes.wall
 
     @property
     def nut_half(self) -> float:

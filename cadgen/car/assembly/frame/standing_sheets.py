@@ -20,7 +20,17 @@ from cadgen.car.assembly.frame.foot_joints import (
 )
 from cadgen.car.assembly.frame.frame_ground import FrameGround
 from cadgen.car.assembly.frame.frame_sizes import ROUNDING
-from cadgen.car.assembly.panels import ACROSS, STANDING, EdgeHole, Feature, Panel, PartPlace, SheetHole, rounded_corners
+from cadgen.car.assembly.panels import (
+    ACROSS,
+    STANDING,
+    THREAD_END,
+    EdgeHole,
+    Feature,
+    Panel,
+    PartPlace,
+    SheetHole,
+    rounded_corners,
+)
 from cadgen.messages import Message
 
 BEFORE = 6.0  # mm between platform and micrometer bracket
@@ -229,7 +239,7 @@ def _standing(
         cuts=(),
         holes=tuple(holes),
         edge_holes=tuple(
-            EdgeHole(at, foot, sizes.screw.tap_drill, ground.screw_length - sizes.base + 2.0) for at in drilled
+            EdgeHole(at, foot, sizes.screw.tap_drill, ground.screw_length - sizes.base + THREAD_END) for at in drilled
         ),
         features=tuple(
             Feature(Message("tab"), joint.at, foot - sizes.base / 2, joint.width, sizes.base)
