@@ -68,6 +68,7 @@ def test_a_worn_cam_of_unknown_motion_becomes_a_design_and_a_new_cam(cadgen, tmp
     assert facts["zero_deg"] == pytest.approx(90 + np.degrees(0.7), abs=0.02)  # the slide lies along +y
     assert [(s["law"], s["named"]) for s in facts["segments"]] == [("polynomial_3_4_5", True), ("modified_sine", True)]
     assert [s["wear_um"] for s in facts["segments"]] == pytest.approx([30, 0], abs=8)
+    assert "as seen on the outer face. If it was" in " ".join((out / "feeder_motion.txt").read_text("utf-8").split())
     made = Design.load(out / "feeder_found.toml")
     assert [(s.to_mm, s.in_deg, s.law, s.dwell_deg) for s in made.values.motion.segments] == [
         (14.0, 80.0, "polynomial_3_4_5", None),

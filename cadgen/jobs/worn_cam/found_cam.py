@@ -29,6 +29,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.motion_cam import plan_motion_cam
 from cadgen.laws.unit import MM, TAN
 from cadgen.output.files.manifest import Origin
+from cadgen.parts.face import Face
 from cadgen.progress import Progress, silent
 from cadgen.verdict import Readiness
 
@@ -275,8 +276,16 @@ def mirrored(design: MotionDesign, record: Record) -> bool:
         design: design, which says the sense of the disc.
         record: record, whose remarks say if it was measured on the inner face.
     """
-    inner = any(_INNER.match(remark) for remark in record.remarks)
-    return (design.motion.turns == DiscSense.COUNTERCLOCKWISE) != inner
+    return (design.motion.turns == DiscSense.COUNTERCLOCKWISE) != (measured_face(record) == Face.INNER)
+
+
+def measured_face(record: Record) -> Face:
+    """Face on which an outline was measured: the outer one, unless a remark says the other.
+
+    Args:
+        record: record of an outline.
+    """
+    return Face.INNER if any(_INNER.match(remark) for remark in record.remarks) else Face.OUTER
 
 
 def found_text(

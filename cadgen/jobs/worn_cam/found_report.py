@@ -13,11 +13,12 @@ from cadgen.errors import DesignError
 from cadgen.figures import Cell, Emphasis, Facts, Sheet, number
 from cadgen.inference.measurement.record import understood_of
 from cadgen.inference.motions.found_motion import FoundFlank
-from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
+from cadgen.jobs.worn_cam.found_cam import FoundCamPlan, measured_face
 from cadgen.laws.unit import MM
 from cadgen.messages import Message, joined
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.output.report.terminal import Block, plain
+from cadgen.parts.face import Face
 from cadgen.progress import Progress
 
 _UM = 1e3
@@ -123,7 +124,13 @@ def _measured(cam: FoundCamPlan) -> list[Block]:
             sigma=_UM * float(max(sigma)) if sigma is not None else cam.noise_um,
             base=cam.outline.base,
         )
-    return [said, place]
+    if measured_face(cam.source.record) == Face.INNER:
+        return [said, place]
+    seen = Message(
+        "The points are taken as seen on the outer face. If it was the inner one, the motion that was found runs "
+        'backwards: begin their file with a line "# face: inner".'
+    )
+    return [said, place, seen]
 
 
 def _sheet(cam: FoundCamPlan) -> Sheet:
