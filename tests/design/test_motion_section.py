@@ -166,7 +166,14 @@ def test_the_half_law_that_is_named_fits():
             [[0, 0], [10, 1], [10, 2], [20, 3], [30, 2], [40, 1]],
             "row 3 of motion.rows repeats the angle of the row bef",
         ),
-        (LOBE[::-1], "row 2 of motion.rows is at 340 degrees, after one at 350, but angles must grow: sort the rows"),
+        (
+            LOBE[::-1],
+            "the angles of motion.rows fall from row to row, but they must grow as the cam turns: change their signs",
+        ),
+        (
+            [*LOBE[:2], LOBE[3], LOBE[2], *LOBE[4:]],
+            "after one at 30, but angles must grow: sort the rows by their angles",
+        ),
         ([*LOBE, [361, 0.0]], "reach over 361 degrees; they must reach over 360 at most"),
         (LOBE[:5], "motion.rows has 5 rows; it needs at least 6"),
     ],

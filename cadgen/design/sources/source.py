@@ -118,6 +118,14 @@ def refuse_order(name: str, rows: tuple[tuple[float, float], ...]) -> None:
         name: key of the rows.
         rows: angle, degrees, and height of each.
     """
+    if len(rows) > 1 and all(angle < before for (before, _), (angle, _) in pairwise(rows)):
+        # Sorted, rows that a machine passes in this order would give the motion backwards.
+        raise DesignError(
+            "the angles of {name} fall from row to row, but they must grow as the cam turns: change their signs where "
+            "the cam passes the rows in this order, or turn the order of the rows round where it passes the last "
+            "one first",
+            name=name,
+        )
     for number, ((before, _), (angle, _)) in enumerate(pairwise(rows), 2):
         if angle == before:
             raise DesignError(
