@@ -565,6 +565,7 @@ def planetary(
         name=name,
     )
     error = made.return_error
+    bare = Message("The planets have no bore, so no carrier is made: give --bore-diameter-mm for sun and planets.")
     rows: Named = {
         Message("ratio"): str(made.ratio),
         Message("centre distance, mm"): made.axes_apart,
@@ -579,7 +580,7 @@ def planetary(
         made,
         Message("{name}, {teeth}", name=made.name, teeth=f"{sun}/{planet}/{counts[2]}"),
         rows,
-        made.notes,
+        made.notes if arguments[1].get("bore") else (*made.notes, bare),
         out,
         formats,
         force,

@@ -173,7 +173,7 @@ def _checks(
             error.end,
             "mm",
             most,
-            place=Message("heading {turned:.4f}° off", turned=degrees(error.end_heading)),
+            place=Message("heading {turned:.4f}° off", turned=round(degrees(error.end_heading), 4) + 0.0),
             advice=Message("look at the end of the path: {points_key}", points_key=track.points_key),
         ),
     )
