@@ -269,6 +269,8 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     common = best.claims & sure
     reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
     anonymous = any(e.shape for e in best.effects)
+    if anonymous or _of_several_orders(best):
+        common = _beside_unknown(common, found) if _explained(joint, found, best) >= MOST else frozenset()
     verdict: Verdict
     if not best.effects:
         disagree = any(runs_disagree(part, best) for part in joint.parts)
@@ -277,9 +279,6 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
         verdict = Verdict.UNTRACED_SHAPE
     elif anonymous:
         verdict = Verdict.PARTIAL
-        common = _beside_unknown(common, found) if _explained(joint, found, best) >= MOST else frozenset()
-    elif orders := _of_several_orders(best):
-        verdict, common = Verdict.AMBIGUOUS, _beside_unknown(common - orders, found)
     elif best.claims != common:
         verdict = Verdict.AMBIGUOUS
     else:
@@ -412,7 +411,8 @@ def _sure(best: Hypothesis, distinct: list[Hypothesis], scores: list[float]) -> 
     """Names of a subset that those which hold them are sure of together, by the scores of all."""
     weight = np.exp((min(scores, default=0.0) - np.array(scores)) / 2)
     chance = {n: sum(w for h, w in zip(distinct, weight, strict=True) if n in h.holds) for n in best.holds}
-    return frozenset(n for n, together in chance.items() if together >= sure_of(len(best.claims)) * weight.sum())
+    sure = frozenset(n for n, together in chance.items() if together >= sure_of(len(best.claims)) * weight.sum())
+    return sure - _of_several_orders(best)
 
 
 def _sentence(verdict: Verdict, best: Hypothesis, rivals: list[Hypothesis], possible: list[str]) -> Message:
