@@ -35,6 +35,7 @@ from cadgen.output.drawing.sheet import (
     SurfaceTexture,
     Title,
     ToleranceFrame,
+    placed_notes,
 )
 from cadgen.output.drawing.sheet_files import document_of
 from tests.jobs.test_gear_sheets import apart, frame_boxes
@@ -451,6 +452,13 @@ def test_the_sheet_of_the_car_has_every_axis_and_balloon(car: CarAssembly, sheet
     title = title_of(car.origin, None, "car", "", "car", NOWHERE)
     side, top = views_of(car, 0.0)
     sheet = assembly_drawing(side, top, listed(car), tuple(sheet_notes(car, car.balance())), title)
+    # A list that reaches down to the title block leaves its notes room beside that.
+    more = [row._replace(number=row.number + 100, code="", drawn=False) for row in listed(car)]
+    longer = assembly_drawing(side, top, [*listed(car), *more][:52], tuple(sheet_notes(car, car.balance())), title)
+    for each in (sheet, longer):
+        places = [place for _, place in placed_notes(each.notes, each.columns)]
+        assert places
+        assert all(y > 10.0 and (x < 236.0 or y > 58.0) for x, y in places)
     names, plate = sheet.dimensions, sheets[f"{car.train.stem}_plate"]
     labels = {label.text for view in sheet.views for label in view.labels}
     seen = {each.code for view in (side, top) for each in view.seen}

@@ -1,7 +1,7 @@
 """Sheets of a car put together: two views with balloons and the list of parts, and the steps of its mounting."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 from typing import NamedTuple
 
@@ -29,6 +29,7 @@ from cadgen.output.drawing.sheet import (
     Stroke,
     Title,
     View,
+    beside_title,
     ring,
 )
 
@@ -36,6 +37,7 @@ _SIZE = "A3"
 _BALLOON, _APART = 7.0, 9.0  # mm on paper: diameter of a balloon, and distance of two in a column
 _ASIDE = 21.0  # mm on paper between a view and its balloons, which dimensions need
 _BETWEEN = 20.0  # mm on paper between the views
+_LINES = 7  # of notes beside the title block, under the balloons
 _WITHIN = 1e-3  # mm by which a covered area is made smaller, so that common edges are drawn
 _SHORT = 0.05  # mm; what is left of edges and shorter is not drawn
 _LIST_WIDTHS = (8.0, 8.0, 66.0, 20.0, 58.0, 14.0)
@@ -178,6 +180,8 @@ def assembly_drawing(
     table = SheetTable(title=Message("list of parts"), at=at, widths=_LIST_WIDTHS, rows=tuple(rows))
     low = at[1] - table.height - 3.0
     column = NoteColumn(at=(at[0], low), width=listed, height=low - EDGE - title.height - 2.0)
+    # Under a long list there is no room: notes then stand beside the title block.
+    beside = replace(beside_title(_SIZE), at=(LEFT + 3.0, EDGE + _LINES * ROW), height=_LINES * ROW)
     return DrawingSheet(
         size=_SIZE,
         scale=scale,
@@ -185,7 +189,7 @@ def assembly_drawing(
         views=tuple(made),
         tables=(table,),
         notes=tuple(notes),
-        columns=(column,),
+        columns=(column, beside),
     )
 
 
