@@ -193,6 +193,18 @@ def test_the_cure_of_a_blend_on_the_path_names_a_wheel_that_does():
     assert "blend-on-path" not in codes(cured)
 
 
+def test_what_the_car_misses_on_the_blend_is_a_reservation():
+    # The last waypoint lies on the blend, which ends elsewhere: a gate there is not judged, but said.
+    bare = Design.load("carbon_free_car").with_(
+        {"train": None, "tolerances": None, "course": None, "car.drive_wheel_radius_mm": None}
+    )
+    end = bare.values.path.waypoints_mm[-1]
+    for radius, missed in ((500.0, False), (1.0, True)):
+        gate = {"at_mm": list(end), "radius_mm": radius}
+        verdict = bare.with_({"course": {"gates": [gate]}}).cam().verdict
+        assert ("course-on-blend" in codes(verdict)) == missed
+
+
 @pytest.mark.parametrize(
     ("diameter", "readiness", "code"),
     [

@@ -272,6 +272,9 @@ class CourseRun:
         place = joined(passage.missed for passage in missed[:_NAMED])
         if not missed:
             place = Message("all, {count} in order", count=len(passages))
+            if self.blend is not None and self.blend.passages:
+                late = len(self.blend.passages)
+                place = clauses(place, Message("{late} more on the blend, not judged", late=late))
         if len(missed) > _NAMED:
             place = Message("{missed}, and {count} more", missed=place, count=len(missed) - _NAMED)
         advice = Message("lead the path through the gates in their order and direction, or make them wider")

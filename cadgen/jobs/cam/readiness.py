@@ -409,25 +409,7 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             ),
             Figure("further_off", Message("further off the finish"), off - near, "mm"),
         )
-    blend = use.drive_wheel.blend
-    if blend is not None and blend.off > _SHOWN:
-        yield Reservation(
-            "blend-on-path",
-            Message(
-                "the closing blend steers the last {stretch:.0f} mm, and ends {off:.1f} mm and {turned:.1f}° off the "
-                "path's end",
-                stretch=blend.stretch,
-                off=blend.off,
-                turned=degrees(abs(blend.turned)),
-            ),
-            Message("give [train]; then car.drive_wheel_radius_mm can put the blend behind the path")
-            if use.drive_wheel.radius is None
-            else Message(
-                "set car.drive_wheel_radius_mm to {radius:.2f}, for a wheel with which the path ends before the blend",
-                radius=ceil(100 * use.drive_wheel.radius * TURN / use.drive_wheel.finish) / 100,
-            ),
-            Figure("blend_off", Message("off the path's end"), blend.off, "mm"),
-        )
+    yield from _on_blend(use)
     radius, outlined = use.drive_wheel.radius, use.outlined_wheel
     if (
         radius is not None
@@ -444,3 +426,45 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
             Message("set car.outline.wheel_diameter_mm to {needed:.1f}", needed=2 * radius),
         )
     yield from filter(None, (use.sense, use.unplaced))
+
+
+def _on_blend(use: JudgedCar) -> Iterator[Reservation]:
+    """Reservations on a closing blend that steers the last of the path: where it ends, and what the car misses there."""
+    wheel = use.drive_wheel
+    if wheel.blend is None:
+        return
+    cure = (
+        Message("give [train]; then car.drive_wheel_radius_mm can put the blend behind the path")
+        if wheel.radius is None
+        else Message(
+            "set car.drive_wheel_radius_mm to {radius:.2f}, for a wheel with which the path ends before the blend",
+            radius=ceil(100 * wheel.radius * TURN / wheel.finish) / 100,
+        )
+    )
+    if wheel.blend.off > _SHOWN:
+        yield Reservation(
+            "blend-on-path",
+            Message(
+                "the closing blend steers the last {stretch:.0f} mm, and ends {off:.1f} mm and {turned:.1f}° off the "
+                "path's end",
+                stretch=wheel.blend.stretch,
+                off=wheel.blend.off,
+                turned=degrees(abs(wheel.blend.turned)),
+            ),
+            cure,
+            Figure("blend_off", Message("off the path's end"), wheel.blend.off, "mm"),
+        )
+    behind = use.course.planned.blend if use.course is not None else None
+    missed = {} if behind is None else {key: room for key, (_, room) in behind.figures().items() if room < 0}
+    if missed:
+        worst = min(missed, key=missed.__getitem__)
+        yield Reservation(
+            "course-on-blend",
+            Message(
+                "on the closing blend, where the course is not judged, the car misses or meets {key} by {room:.1f} mm",
+                key=worst,
+                room=-missed[worst],
+            ),
+            cure,
+            Figure("course_on_blend", Message("off the course on the blend"), -missed[worst], "mm"),
+        )
