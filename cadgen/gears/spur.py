@@ -43,6 +43,8 @@ from cadgen.parts.run import lead
 
 # What the contact ratio found on the curves may differ from that of the formula.
 CONTACT_RATIO_ERROR = 0.01
+# Steps of 0.05 in which shifts that keep their sum are tried.
+MOST_SHIFT_STEPS = 13
 
 
 class PlayState(StrEnum):
@@ -173,8 +175,8 @@ def roots_clear(pair: Pair, apart: float) -> bool:
 def roomier(pair: Pair, in_set: bool) -> Message | None:
     """Numbers near those of a pair whose teeth have room and hand over, in words; None where none were found.
 
-    Tried are the addendum of both, the distance without play where another is given, then profile shifts nearer to 0,
-    then more teeth. Each is tried at a distance that suits it, which is named where another is given.
+    Tried are the addendum of both, the distance without play where another is given, profile shifts nearer to 0, those
+    that thicken the small gear and thin the large one as much, then more teeth, about in the same ratio. Each is tried at a distance that suits it, which is named where another is given.
 
     Args:
         pair: pair of gears, as cut.
@@ -225,8 +227,16 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
                 other=shifts[1],
             )
             return at(apart, cure)
+    small = min(form.teeth for form in forms)
+    if not pair.internal:
+        for more in range(1, MOST_SHIFT_STEPS):
+            signs = (1 if form.teeth == small else -1 for form in forms)
+            shifts = [round(form.profile_shift + 0.05 * more * s, 2) for form, s in zip(forms, signs, strict=True)]
+            if apart := suiting(True, *({"profile_shift": shift} for shift in shifts)):
+                cure = Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1])
+                return at(apart, cure)
     for more in range(1, MOST_TEETH_MORE):
-        teeth = [form.teeth + more for form in forms]
+        teeth = [round(form.teeth * (small + more) / small) for form in forms]
         if apart := suiting(True, *({"teeth": each} for each in teeth)):
             return at(apart, Message("give {one} and {other} teeth", one=teeth[0], other=teeth[1]))
     return None

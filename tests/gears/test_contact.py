@@ -124,6 +124,7 @@ def test_tips_that_stand_apart_have_no_contact():
     ("one", "other", "form"),
     [
         (9, 9, {}),
+        (10, 43, {}),
         (20, 20, {"addendum_factor": 0.3}),
         (14, 40, {"addendum_factor": 1.3}),
         (20, 20, {"profile_shift": 1.5, "addendum_factor": 0.5}),
@@ -172,4 +173,6 @@ def test_axes_too_far_apart_are_told_the_distance():
     named = str(roomier(replace(pair(20, 40, thinning=-0.05), centre_distance=15.75), False))
     assert named == "give centre_distance_mm = 15.0000"
     named = str(roomier(replace(pair(9, 9, thinning=-0.05), centre_distance=4.9), False))
+    assert re.fullmatch(r"give the profile shifts 0.3 and 0.3, at centre_distance_mm = \d+\.\d{4}", named)
+    named = str(roomier(replace(pair(7, 7, thinning=-0.05), centre_distance=4.0), False))
     assert re.fullmatch(r"give \d+ and \d+ teeth, at centre_distance_mm = \d+\.\d{4}", named)
