@@ -367,7 +367,10 @@ class CarUse(SteeredCar):
         return (*cam.lost, *(check for check in failing(cam.checks) if check.code in _STEEP))
 
     def changes(self, cam: CamPlan) -> Iterable[Sequence[tuple[str, str]]]:
-        """A spline without kinks, a larger base circle, and a longer closing blend where lift is lost in it."""
+        """A spline without kinks, a larger base circle, and a longer closing blend where lift is lost in it.
+
+        Only blends behind the path are tried: another would steer more of the path, and no check counts that.
+        """
         if self.design.path.spline == CUBIC.code:
             yield [('path.spline="quintic"', "cubic")]
         # The slope of a flank stays, so the tangent of its pressure angle falls as the radius grows.
@@ -377,9 +380,10 @@ class CarUse(SteeredCar):
         if 1 < (needed := max(steep, default=1.0)) < _MOST_BASE:
             base = self.design.cam.base_radius_mm
             yield [(f"cam.base_radius_mm={ceil(base * needed * factor):g}", f"{base:g}") for factor in _BASE_FACTORS]
-        now = self.design.cam.blend_deg
-        if any(trim.after >= self.steering.blend_start for trim in cam.trims):
-            yield [(f"cam.blend_deg={now * factor:g}", f"{now:g}") for factor in _BLEND_FACTORS]
+        now, room = self.design.cam.blend_deg, degrees(TURN - self.drive_wheel.finish)
+        if self.drive_wheel.blend is None and any(trim.after >= self.steering.blend_start for trim in cam.trims):
+            longer = (now * factor for factor in _BLEND_FACTORS)
+            yield [(f"cam.blend_deg={blend:g}", f"{now:g}") for blend in longer if blend <= room]
 
     def replanned(self, cam: CamPlan, override: str) -> tuple[Check, ...]:
         """Checks of the cam's profile and of the layout for a changed design; a method against play is kept."""
