@@ -694,6 +694,8 @@ def _notes(cam: CamPart) -> Iterator[str]:
     if not (blank.key or blank.mark):
         yield Message("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
     yield from cam.fit.notes(blank)
+    if cam.profile_tolerance is None:
+        yield Message("Tolerance of the outline: not stated; ask for it.")
     if blank.mark:
         mark, held = blank.mark, blank.key
         left = sin(mark.angle - (held.angle if held else 0.0)) > 0
