@@ -429,7 +429,7 @@ def reservations(use: JudgedCar, found: CourseYield | None) -> Iterator[Reservat
 
 
 def _on_blend(use: JudgedCar) -> Iterator[Reservation]:
-    """Reservations on a closing blend that steers the last of the path: where it ends, and what the car misses there."""
+    """Reservations on a closing blend that steers the last of the path: where it ends, what the car misses there."""
     wheel = use.drive_wheel
     if wheel.blend is None:
         return
