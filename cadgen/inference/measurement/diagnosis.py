@@ -474,9 +474,12 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
         return weighed(found.joint, starts) if better else None
 
     def seen() -> Weighed | None:
-        if not first.joint.cameras:
+        joint, best, cameras = first.joint.with_cameras, first.best, first.joint.cameras
+        # A search for them takes as long as the first, so one of them beside what was found must be likelier, or all.
+        beside = [((*best.effects, *some), best.active) for some in (*((each,) for each in cameras), cameras) if some]
+        if not beside or best_of(joint, nominal.usual, beside).score >= first.found[0].score:
             return None
-        found = weighed(first.joint.with_cameras, [(first.best.effects, first.best.active)])
+        found = weighed(joint, [(best.effects, best.active)])
         return found if found.found[0].score < first.found[0].score else None
 
     return WeighedTogether(first, tuple(joined), alone, together, seen)
