@@ -8,6 +8,7 @@ import pytest
 
 from cadgen.design.load import load_design
 from cadgen.deviations.deviation import Place
+from cadgen.deviations.lift import FOLLOWER
 from cadgen.inference.expectation.outlook import Outlook
 from cadgen.inference.measurement.other_cam import other_cam
 from cadgen.inference.measurement.verdict import Verdict
@@ -141,7 +142,16 @@ def test_whole_subsets_are_without_what_is_surely_not_there_or_on_its_bound_or_w
     with_joint_effect([replace(first, likely=stuck), *others], sure, expected)
     assert not any(c.finding.effect == zero.finding.effect for some in tried for c in some)
     # Nor a subset whose part that is not taken moves the car.
-    moving = tuple(replace(one, shown=tuple(frozenset({"track"}) for _ in one.shown)) for one in first.likely)
+    moving = tuple(
+        replace(
+            one,
+            shown=tuple(frozenset({"track"}) for _ in one.shown),
+            effects=tuple(
+                (n, replace(e, stage=FOLLOWER, looks_like=None) if e.instrument else e, v) for n, e, v in one.effects
+            ),
+        )
+        for one in first.likely
+    )
     tried.clear()
     with_joint_effect([replace(first, likely=moving), *others], sure, expected)
     assert len(tried) == 1
