@@ -175,9 +175,9 @@ def roots_clear(pair: Pair, apart: float) -> bool:
 def roomier(pair: Pair, in_set: bool) -> Message | None:
     """Numbers near those of a pair whose teeth have room and hand over, in words; None where none were found.
 
-    Tried are the addendum of both, the distance without play where another is given, profile shifts nearer to 0, those
-    that thicken the small gear and thin the large one as much, then more teeth, about in the same ratio. Each is tried
-    at a distance that suits it, which is named where another is given.
+    Tried are the addendum of both, the distance without play where another is given, and profile shifts nearer to 0.
+    Then come shifts that thicken the small gear and thin the large one as much, and more teeth in about the same ratio.
+    Each is tried at a distance that suits it, which is named where another is given.
 
     Args:
         pair: pair of gears, as cut.

@@ -49,8 +49,8 @@ class OtherCam:
     Attributes:
         profile: code of its profile.
         earlier: whether it is the cam that the design had before it was calibrated.
-        better: by how much the records fit it better than the stated cam, in the criterion, -2 log of likelihood with
-            the price of the effects, and `SURE` for each shape that it needs more.
+        better: by how much the records fit it better than the stated cam, in the criterion: -2 log of likelihood with
+            the price of the effects. It pays `SURE` for each shape that it needs more.
         effects: names of the effects that the car has then, in the order of the catalogue.
         instead: those that it has with the stated cam.
     """
