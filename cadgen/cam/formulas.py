@@ -61,7 +61,7 @@ _AROUND, _SIDES = (0.02, 0.5), 8  # mm about a contact, and directions, in which
 def formula_checks(
     motion: Motion, follower: Follower, curve: ClosedCurve, contact: Contact, sound: NDArray[np.bool_]
 ) -> tuple[Check, ...]:
-    """Failing checks of a follower's formulas; none where all are right, or where that cannot be told.
+    """Failing checks of a follower's formulas: none where all are right or cannot be judged.
 
     Args:
         motion: motion wanted.

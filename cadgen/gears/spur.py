@@ -6,7 +6,7 @@ parts, are µm, mm and degrees.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from enum import StrEnum
 from functools import cache, lru_cache, partial
@@ -203,6 +203,14 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
             return cure
         return Message("{cure}, at centre_distance_mm = {apart:.4f}", cure=cure, apart=apart)
 
+    def shifted(shifts: Sequence[float]) -> Message | None:
+        """Profile shifts as a cure, if the teeth have room with them."""
+        apart = suiting(True, *({"profile_shift": shift} for shift in shifts))
+        one, other = shifts
+        return (
+            at(apart, Message("give the profile shifts {one:g} and {other:g}", one=one, other=other)) if apart else None
+        )
+
     forms = (pair.driver.form, pair.driven.form)
     given = min(form.addendum_factor for form in forms)
     steps = (round(0.05 * step, 2) for step in range(6, 31))
@@ -216,9 +224,8 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
         return Message("give centre_distance_mm = {apart:.4f}", apart=apart)
     for share in (0.75, 0.5, 0.25, 0.0):
         shifts = [round(share * form.profile_shift, 2) for form in forms]
-        apart = suiting(True, *({"profile_shift": shift} for shift in shifts))
-        if any(form.profile_shift for form in forms) and apart:
-            return at(apart, Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1]))
+        if any(form.profile_shift for form in forms) and (cure := shifted(shifts)):
+            return cure
     for share in (0.75, 0.5, 0.25, 0.0):
         shifts = [round(share * form.profile_shift, 2) for form in forms]
         if apart := suiting(True, *({"profile_shift": shift, "addendum_factor": 1.0} for shift in shifts)):
@@ -233,9 +240,8 @@ def roomier(pair: Pair, in_set: bool) -> Message | None:
         for more in range(1, MOST_SHIFT_STEPS):
             signs = (1 if form.teeth == small else -1 for form in forms)
             shifts = [round(form.profile_shift + 0.05 * more * s, 2) for form, s in zip(forms, signs, strict=True)]
-            if apart := suiting(True, *({"profile_shift": shift} for shift in shifts)):
-                cure = Message("give the profile shifts {one:g} and {other:g}", one=shifts[0], other=shifts[1])
-                return at(apart, cure)
+            if cure := shifted(shifts):
+                return cure
     for more in range(1, MOST_TEETH_MORE):
         teeth = [round(form.teeth * (small + more) / small) for form in forms]
         if apart := suiting(True, *({"teeth": each} for each in teeth)):

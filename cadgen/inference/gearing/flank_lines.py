@@ -280,7 +280,7 @@ _EDGE = 1e-6  # mm by which a range is wider, for points that lie on its end
 
 @dataclass(frozen=True)
 class Range:
-    """Range in which flank lines are evaluated, and length over which slopes are told, mm.
+    """Evaluation range of flank lines, and reference length of their slopes, mm.
 
     Attributes:
         start, end: of the evaluation.

@@ -95,7 +95,7 @@ class FoundFlank:
 
     @property
     def rivals(self) -> tuple[FlankFit, ...]:
-        """Laws that cannot be told apart, the likeliest first; a named law alone, and none where no law fits."""
+        """Laws of the table that fit about as well as the best one, the likeliest first."""
         if not self.in_table:
             return ()
         return tuple(fit for fit in self.fits if fit.score < self.best.score + DECIDED)

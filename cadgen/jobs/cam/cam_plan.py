@@ -1,4 +1,4 @@
-"""A cam that has been computed and checked, how it is made, and what it is for."""
+"""Computed and checked cams, with how they are made and for which application."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -155,7 +155,7 @@ class Application:
         return None
 
     def envelope(self, cam: "CamPlan") -> ClosedCurve:
-        """Curve on which the follower of the design gets its motion, mm; without deviations the one that is cut."""
+        """Outline on which the design's follower moves as wanted, mm: the cut one, unless the car deviates."""
         return cam.curve
 
     def figures(self, cam: "CamPlan") -> tuple[Check, ...]:

@@ -136,7 +136,7 @@ def mechanics_checks(
 
 
 def joint_sentences(design: Design) -> list[str]:
-    """Sentences on the return error that joints and bearings add to that of the teeth, with the cheapest cure."""
+    """Sentences on the return error from joints and bearings, with the cheapest cure."""
     whole = variation.whole_play(design)
     if whole is None or not whole.loose or design.play is not None:
         return []

@@ -5,7 +5,7 @@ from math import degrees, radians
 
 import numpy as np
 
-from cadgen.arrays import TURN
+from cadgen.arrays import TURN, Array
 from cadgen.cam.checks import cam_place
 from cadgen.check import Check, CheckCode
 from cadgen.design.load import with_overrides
@@ -157,7 +157,8 @@ def reservations_of(
     if isinstance(motion, SegmentMotion):
         held += _jump_reservations(motion, accepted)
     if isinstance(motion, TableMotion) and design.cam.base_radius_mm is None:
-        held += [*_high_reservation(motion), *_unit_reservation(motion, design)]
+        height = motion.jets(np.linspace(0.0, TURN, _PLACES, endpoint=False))[:, 0]
+        held += [*_high_reservation(motion, height), *_unit_reservation(motion, height, design)]
     if isinstance(motion, TableMotion) and motion.rough:
         smooth = motion_of(with_overrides(design, ["motion.smooth=true"]).motion, design.follower.registered)
         noise, unit = small_height(motion.noise, motion.unit)
@@ -182,11 +183,11 @@ def reservations_of(
     return tuple(held)
 
 
-def _unit_reservation(motion: TableMotion, design: MotionDesign) -> list[Reservation]:
+def _unit_reservation(motion: TableMotion, height: Array, design: MotionDesign) -> list[Reservation]:
     """Reservation on a file without a unit whose lifts are as small as inches taken for mm, or radians for degrees."""
     if not design.motion.table or design.motion.table_unit is not None:
         return []
-    travel = float(np.ptp(motion.jets(np.linspace(0.0, TURN, _PLACES, endpoint=False))[:, 0]))
+    travel = float(np.ptp(height))
     base = design.seat.base_radius
     if motion.unit == MM and travel < _SMALL * base:
         text = Message(
@@ -208,9 +209,8 @@ def _unit_reservation(motion: TableMotion, design: MotionDesign) -> list[Reserva
     ]
 
 
-def _high_reservation(motion: TableMotion) -> list[Reservation]:
+def _high_reservation(motion: TableMotion, height: Array) -> list[Reservation]:
     """Reservation on rows that are all above lift 0, as radii are, or readings of a dial that was not set to zero."""
-    height = motion.jets(np.linspace(0.0, TURN, _PLACES, endpoint=False))[:, 0]
     height, unit = (height, "mm") if motion.unit == MM else (np.degrees(height), "°")
     least, travel = float(height.min()), float(np.ptp(height))
     if least <= _HIGH * travel:

@@ -191,7 +191,7 @@ def _better_profile(use: JudgedCar) -> Message | None:
 
 
 def _refused(nearer: Refused, off: float) -> Message:
-    """Profile that was refused, with its end beside that of the profile chosen, in a clause."""
+    """Clause on a refused profile: where it ends beside the chosen one, and which checks fail."""
     return Message(
         "the {nearest} ends {near:.0f} mm off at most, and this one {off:.0f}, but it fails {failed}",
         nearest=nearer.evaluation.title,

@@ -88,12 +88,12 @@ class FoundCamPlan:
 
     @property
     def scale(self) -> float:
-        """Unit of the design file by that of the motion: 1 for mm, degrees by rad of a swing."""
+        """Factor from the unit of the motion to that of the design file: 1 for mm, 57.3 from rad to degrees."""
         return 1.0 if self.follower.unit == MM else degrees(1.0)
 
     @property
     def mirrored(self) -> bool:
-        """Whether files show the other face than the one that was measured."""
+        """Whether the files of the cam show its other face, not the measured one."""
         return mirrored(self.design, self.source.record)
 
     @property
@@ -129,7 +129,7 @@ class FoundCamPlan:
 
     @property
     def readiness(self) -> Readiness:
-        """Whether the motion is found; with reservations where laws cannot be told apart, not with an unknown law."""
+        """Readiness of the found motion: not ready with an unknown law, with reservations where laws are alike."""
         if not all(flank.in_table for flank in self.flanks):
             return Readiness.NOT_READY
         sure = self.named and (self.stated.grid is None or self.stated.grid.sure)

@@ -71,7 +71,7 @@ from cadgen.parts.loop import Arc, Loop
 
 
 def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
-    """Rows of a gear's data table in the order of ISO 1340: names and values, those that a kind of wheel has."""
+    """Gear data as pairs of name and value, in the order of ISO 1340; rows that a wheel lacks are left out."""
     grade = stage.grades[0 if drives else 1]
     ring = gear.value("rim_diameter") is not None
 
