@@ -211,7 +211,16 @@ class Loop:
     no_cam: str = ""
 
 
-def go_loop(text: str, profile: str, records: Sequence[Any], number: int) -> Loop:
+@cache
+def _nominals() -> dict[str, Any]:
+    """The packaged car with each cam that may be on it, made once: records of every first loop are held against it."""
+    from cadgen.design.load import load_design
+    from cadgen.jobs.calibration.cam_on_car import nominal_of
+
+    return {profile: nominal_of(load_design(), profile) for profile in ("actual", "optimized")}
+
+
+def go_loop(text: str, profile: str, records: Sequence[Any], number: int, *, first: bool = False) -> Loop:
     """Calibrate a car by its records, and plan its cam.
 
     Args:
@@ -219,6 +228,7 @@ def go_loop(text: str, profile: str, records: Sequence[Any], number: int) -> Loo
         profile: its profile.
         records: measured data.
         number: of the car, for the hashes of its files.
+        first: whether the design is the packaged one.
     """
     from cadgen.design.load import load_design
     from cadgen.errors import CadgenError
@@ -231,7 +241,10 @@ def go_loop(text: str, profile: str, records: Sequence[Any], number: int) -> Loo
     with TemporaryDirectory() as folder:
         file = Path(folder) / "carbon_free_car.toml"
         file.write_text(text)
-        told = calibrate(load_design(file), profile, sources)
+        cams = _nominals() if first else {}
+        # The other cam of a packaged car is the only one of its number.
+        made = {(code, 0): other for code in cams for name, other in cams.items() if name != code}
+        told = calibrate(load_design(file), profile, sources, nominal=cams.get(profile), made=made)
         if told.outlook is None:
             return Loop(told, text, None, told.no_cam or "nothing to change")
         after = as_built_text(told, text)
@@ -285,7 +298,7 @@ def go_round(
     for turn in range(loops):
         more = {"lift": world.dial, "transmission": world.train, "profile": world.profile}[drawn.second](car, rng)
         records = [spoil(world.track(car, rng, noise_mm=3.0 * noise)), spoil(more)]
-        loop = go_loop(text, profile, records, number + _FILES * turn)
+        loop = go_loop(text, profile, records, number + _FILES * turn, first=not turn)
         look(loop.told)
         form = drawn_form(rng, drawn.shop)
         after = stands
