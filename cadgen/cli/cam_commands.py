@@ -35,7 +35,7 @@ def check(design: str | None, overrides: tuple[str, ...], profile: str | None, e
         kept = ["--profile", profile] if profile else []
         if cam.passed:
             step = command("cam", design, *kept, overrides=overrides)
-            verdict(cam.verdict.readiness, Message("every check holds"), step)
+            verdict(cam.verdict.readiness, show.with_assumed(Message("every check holds"), cam), step)
         else:
             step = Message("change the design as it is said above")
             if cures.whole is not None and not overrides and all(each in cam.checks for each in cam.failed):
@@ -88,11 +88,10 @@ def cam(
         if plan.passed:
             kept = ["--profile", profile] if profile else []
             draw = command("draw", design, "--only cam", *kept, "--out", str(out), overrides=overrides)
-            verdict(
-                plan.verdict.readiness,
-                Message("every check holds, and each file in {out} was read back", out=out),
-                Message("cut it; {draw} draws it", draw=draw),
-            )
+            result = Message("every check holds, and each file in {out} was read back", out=out)
+            if any(file.path.suffix == ".nc" for file in written or ()):
+                result = show.with_assumed(result, plan)
+            verdict(plan.verdict.readiness, result, Message("cut it; {draw} draws it", draw=draw))
         elif written is not None:
             verdict(
                 plan.verdict.readiness,

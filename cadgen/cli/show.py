@@ -158,6 +158,12 @@ def failed(checks: "Sequence[Check]") -> Message:
     return Message("{names} fail", names=joined(map(label, names), "; "))
 
 
+def with_assumed(result: Message, cam: "Cam") -> Message:
+    """Result of a cam with the names of what its milling programs assume, for the line of the verdict."""
+    names = cam.making.machining.unstated(cam.making.material)
+    return Message("{result}; assumed for the mill: {names}", result=result, names=joined(names)) if names else result
+
+
 def label(name: str) -> Message:
     """A name that the catalogue may have, as a message."""
     return Message(name)
@@ -609,7 +615,7 @@ def files(written: "Written", out: Path) -> None:
     _omitted(written)
     _not_stated(written)
     for warning in written.warnings:
-        Output().print(Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(warning)}."))
+        Output().print(_warning(warning))
     _of_earlier_versions(out, os.path.commonprefix([Path(file.name).stem for file in written]))  # noqa: RUF071 (of names)
 
 
@@ -625,7 +631,11 @@ def of_earlier_version(design: str, names: Sequence[str]) -> Text:
         names=joined(names),
         design=escaped(design),
     )
-    return Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(said)}.")
+    return _warning(said)
+
+
+def _warning(clause: str) -> Text:
+    return Text.assemble((shown(Message("Warning")), "yellow"), f"{shown(': ')}{shown(clause)}{shown('.')}")
 
 
 def _of_earlier_versions(out: Path, stem: str) -> None:
@@ -649,7 +659,7 @@ def heading(out: Path, stem: str) -> None:
 def _omitted(written: "Written") -> None:
     for label, reason in written.omitted.items():
         left_out = shown(Message("{label} left out", label=label))
-        Output().print(Text.assemble((left_out, "yellow"), f"{shown(': ')}{shown(reason)}."))
+        Output().print(Text.assemble((left_out, "yellow"), f"{shown(': ')}{shown(reason)}{shown('.')}"))
 
 
 def _not_stated(written: "Written") -> None:

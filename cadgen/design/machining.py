@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.design.section import HERE, LONGEST_CELL, LONGEST_LINE, WORD, DesignSection, drawn_line, one_line
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 
 USUAL_FEED = 240.0  # mm/min at most, where the design gives neither a feed nor a material
 ASSUMED = DiscMaterial.ALUMINIUM  # as which such a disc is fed
@@ -138,20 +138,43 @@ class Machining(DesignSection):
         return Message("material not stated: {fed}; state {key}, or machining.feed_mm_per_min", fed=fed, key=key)
 
     def assumptions(self, material: DiscMaterial | None, key: str = "blank.material") -> Message | None:
-        """Sentence on all that a program goes by and nobody has stated, feed and cutter; None where nothing is.
+        """Sentence on all that a program goes by and nobody has stated: feed, cutter, speed; None where nothing is.
 
         Args:
             material: material of the work; None if it is not known.
             key: key that states it.
         """
-        fed = self.assumption(material, key)
-        if "cutter_diameter_mm" in self.model_fields_set:
-            return fed
-        cutter = Message(
-            "cutter not stated: the path is for one of {diameter:g} mm; state machining.cutter_diameter_mm",
-            diameter=self.cutter_diameter_mm,
-        )
-        return Message("{material}; {cutter}", material=fed, cutter=cutter) if fed else cutter
+        said = [self.assumption(material, key)]
+        if "cutter_diameter_mm" not in self.model_fields_set:
+            said.append(
+                Message(
+                    "cutter not stated: the path is for one of {diameter:g} mm; state machining.cutter_diameter_mm",
+                    diameter=self.cutter_diameter_mm,
+                )
+            )
+        if "spindle_rpm" not in self.model_fields_set:
+            said.append(
+                Message(
+                    "spindle speed not stated: {rpm:g} turns a minute; state machining.spindle_rpm",
+                    rpm=self.spindle_rpm,
+                )
+            )
+        return joined(stated, "; ") if (stated := [each for each in said if each]) else None
+
+    def unstated(self, material: DiscMaterial | None) -> tuple[Message, ...]:
+        """Names of what the programs of a disc go by and nobody has stated, as `assumptions` words them.
+
+        Args:
+            material: material of the disc; None if it is not known.
+        """
+        drilled = self.drilling is not None and self.drilling.spindle_rpm is None
+        open_material = material is None and (drilled or self.feed_mm_per_min is None)
+        names = {
+            Message("material"): open_material,
+            Message("cutter"): "cutter_diameter_mm" not in self.model_fields_set,
+            Message("spindle speed"): "spindle_rpm" not in self.model_fields_set,
+        }
+        return tuple(name for name, is_open in names.items() if is_open)
 
     def feed_per_tooth(self, material: DiscMaterial) -> float:
         """Feed of each tooth in a full slot of a material, mm."""

@@ -108,6 +108,7 @@ def manifest_text(parts: Mapping[str, object]) -> str:
 
 
 _MADE_FROM = (".step", ".stl", ".3mf", ".dxf", ".nc", ".xyz", ".pdf")
+_TABLE = ".csv"
 
 
 @dataclass(frozen=True)
@@ -159,23 +160,26 @@ def sound_parts(manifest: Path) -> dict[str, ManifestEntry]:
 
 
 def older_files(parts: Mapping[str, ManifestEntry]) -> dict[str, str]:
-    """Files to make parts from that are of an earlier version of their design than others, with its name.
+    """Files of parts that are of an earlier version of their design than parts written after them, with its name.
+
+    A table is of an earlier version only, and makes nothing else so: tables of changes with `--set` come after parts.
 
     Args:
         parts: entries of a manifest by their parts, the last written last.
     """
-    made = {
-        part: [name for name in entry.hashes if Path(name).suffix in _MADE_FROM]
-        for part, entry in parts.items()
-        if entry.design_sha256 and isinstance(entry.content.get("design"), str)
-    }
-    last = {parts[part].content["design"]: parts[part].design_sha256 for part, names in made.items() if names}
-    return {
-        name: design
-        for part, names in made.items()
-        for name in names
-        if last[design := parts[part].content["design"]] != parts[part].design_sha256
-    }
+    older: dict[str, str] = {}
+    last: dict[str, str] = {}  # hash of each design by its parts written after those that are looked at
+    for entry in reversed(list(parts.values())):
+        design = entry.content.get("design")
+        if not entry.design_sha256 or not isinstance(design, str):
+            continue
+        made = [name for name in entry.hashes if Path(name).suffix in _MADE_FROM]
+        if made:
+            last.setdefault(design, entry.design_sha256)
+        if last.get(design, entry.design_sha256) != entry.design_sha256:
+            tables = [name for name in entry.hashes if Path(name).suffix == _TABLE]
+            older |= dict.fromkeys([*made, *tables], design)
+    return {name: of for entry in parts.values() for name in entry.hashes if (of := older.get(name))}
 
 
 def read_parts(manifest: Path) -> dict[str, ManifestEntry | None]:

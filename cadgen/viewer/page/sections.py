@@ -371,7 +371,7 @@ def _cam_sizes(plan: CamPlan) -> Sheet:
     return Sheet(
         "second-cam-sizes" if plan.part else "cam-sizes",
         Message("Second cam") if plan.part else Message("Cam"),
-        (Message("size"), Message("nominal"), Message("measured")),
+        (Message("dimension"), Message("nominal"), Message("measured")),
         tuple((name, number(value, "mm"), "") for name, value in rows),
     )
 

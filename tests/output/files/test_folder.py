@@ -48,14 +48,17 @@ def put(folder, part, **files):
 
 
 def test_files_of_an_earlier_version_of_a_design_are_named(tmp_path):
-    for sha256, suffixes in (("a1", ("step", "nc", "json")), ("b2", ("step",))):
-        names = [f"cam.{suffix}" for suffix in suffixes]
+    for sha256, names in (
+        ("a1", ("cam.step", "cam.nc", "cam.json", "cam.csv")),
+        ("b2", ("cam.step",)),
+        ("c3", ("costs.csv",)),  # a table of changes by --set makes no part older, and is none
+    ):
         with publishing(tmp_path) as staging:
             for name in names:
                 (staging / name).write_text(sha256)
             facts = {name: file_facts(staging / name) for name in names}
             write_manifest(staging, f"cam_{sha256}", Facts(design="cam", design_sha256=sha256, files=facts))
-    assert folder_state(tmp_path).older == {"cam.nc": "cam"}
+    assert folder_state(tmp_path).older == {"cam.nc": "cam", "cam.csv": "cam"}
 
 
 def states(folder):

@@ -226,13 +226,26 @@ def test_a_material_that_nobody_stated_is_told_with_what_is_assumed():
     assert Machining(feed_mm_per_min=300.0).assumption(None) is None
 
 
-def test_a_cutter_that_nobody_stated_is_told_beside_the_material():
-    """The outline of a program is that of the cutter's centre, whose diameter must not be taken in silence."""
-    said = "cutter not stated: the path is for one of 4 mm; state machining.cutter_diameter_mm"
+def test_a_cutter_and_a_speed_that_nobody_stated_are_told_beside_the_material():
+    """Neither the cutter, whose centre a program leads, nor its speed is taken in silence."""
+    cutter = "cutter not stated: the path is for one of 4 mm; state machining.cutter_diameter_mm"
+    speed = "spindle speed not stated: 8000 turns a minute; state machining.spindle_rpm"
+    said = f"{cutter}; {speed}"
     assert said == Machining().assumptions("steel") == Machining(feed_mm_per_min=300.0).assumptions(None)
     assert Machining().assumptions(None) == f"{Machining().assumption(None)}; {said}"
-    assert Machining(cutter_diameter_mm=4.0).assumptions("steel") is None
-    assert Machining(cutter_diameter_mm=4.0).assumptions(None) == Machining().assumption(None)
+    assert Machining(spindle_rpm=8000.0).assumptions("steel") == cutter
+    assert Machining(cutter_diameter_mm=4.0).assumptions("steel") == speed
+    stated = Machining(cutter_diameter_mm=4.0, spindle_rpm=6000.0)
+    assert stated.assumptions("steel") is None
+    assert stated.assumptions(None) == stated.assumption(None)
+
+
+def test_the_verdict_names_what_the_mill_goes_by_and_nobody_stated():
+    assert Machining().unstated(None) == ("material", "cutter", "spindle speed")
+    assert Machining(feed_mm_per_min=300.0).unstated(None) == ("cutter", "spindle speed")
+    drilled = Machining(feed_mm_per_min=300.0, cutter_diameter_mm=4.0, spindle_rpm=8000.0, drilling={})
+    assert drilled.unstated(None) == ("material",)  # by which a drill turns
+    assert drilled.unstated("steel") == ()
 
 
 def test_the_command_names_the_cutter_that_it_assumed(tmp_path):
@@ -241,7 +254,8 @@ def test_the_command_names_the_cutter_that_it_assumed(tmp_path):
 
 
 def test_the_first_line_of_a_program_and_the_command_say_what_is_assumed(tmp_path):
-    holes = {"machining.drilling.bore_diameter_mm": 7.8, "machining.cutter_diameter_mm": 3.0}
+    stated = {"machining.cutter_diameter_mm": 3.0, "machining.spindle_rpm": 8000}
+    holes = {"machining.drilling.bore_diameter_mm": 7.8, **stated}
     design = Design.load("roller", holes)
     written = design.cam().write(tmp_path, formats="nc")
     firsts = [file.path.read_text("ascii").partition("\n")[0] for file in written]
