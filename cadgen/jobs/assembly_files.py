@@ -181,7 +181,7 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
                 MountingStep(
                     part.title,
                     way,
-                    f"{rounded(low - layout.site.fork, 2)} … {rounded(high - layout.site.fork, 2)} mm",
+                    _place(assembly, part, (low, high)),
                     _remark(assembly, part),
                 )
                 for part, (low, high) in group
@@ -189,6 +189,33 @@ def mountings(assembly: CarAssembly) -> tuple[ShaftMounting, ...]:
         name = shaft[0].title if shaft else Message("shaft {shaft}", shaft=number)
         tables.append(ShaftMounting(name, tuple(steps)))
     return tuple(tables)
+
+
+def _place(assembly: CarAssembly, part: CarPart, ends: tuple[float, float]) -> str:
+    """Place of a part along its shaft from the fork axis, to the left; of the disc that of its faces, with limits.
+
+    Args:
+        assembly: car put together.
+        part: part on a shaft.
+        ends: its heights, mm.
+    """
+    fork = assembly.layout.site.fork
+    limits = ["", ""]
+    if part.code == "cam-disc":
+        (inner, outer), (near, far) = _faces(assembly)
+        ends = (fork + inner, fork + outer)
+        limits = [f" ±{each:g}" if each else "" for each in (near, far)]
+        if inner > outer:
+            ends, limits = ends[::-1], limits[::-1]
+    low, high = (f"{rounded(end - fork, 2)}{limit}" for end, limit in zip(ends, limits, strict=True))
+    return f"{low} … {high} mm"
+
+
+def _faces(assembly: CarAssembly) -> tuple[tuple[float, float], tuple[float | None, float | None]]:
+    """Places of the disc's inner and outer face to the left of the fork axis, and their half widths, mm."""
+    keys, tolerances = assembly.layout.design.cam, assembly.layout.design.tolerances
+    inner, outer = (assembly.layout.site.rod_side * face for face in keys.faces_mm)
+    return (inner, outer), (tolerances.inner_face_mm, tolerances.outer_face_mm)
 
 
 def loose_parts(assembly: CarAssembly) -> tuple[tuple[str, str, str, str], ...]:
@@ -275,6 +302,7 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "Bond each shaft into the inner ring of one of its bearings, of that nearest to the disc, and leave it free in "
         "the other one: it then cannot move along its axis."
     )
+    yield _disc_note(assembly)
     if framed:
         drive = design.drive
         if drive is not None and drive.kind == DriveKind.MOTOR:
@@ -304,7 +332,9 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         length=rounded(site.rod_length, 2),
     )
     deviation = design.tolerances.base_radius_mm
-    within = f"± {deviation:g} mm" if deviation else Message("what the design's tolerances say")
+    within = (
+        f"± {deviation:g} mm" if deviation else Message("what you choose, for tolerances.base_radius_mm states nothing")
+    )
     if framed and frame_in(layout).frame.sizes.stem:
         yield Message(
             "Bond the micrometer head into its {holder}, its spindle towards the platform. Set the fork axis "
@@ -349,6 +379,32 @@ def mounting_notes(assembly: CarAssembly) -> Iterator[Message]:
         "Trim: after a trial run give cadgen adjust what it ended off; set the micrometer head and the rod's angle as "
         "it says, and run again."
     )
+
+
+def _disc_note(assembly: CarAssembly) -> Message:
+    """Where the disc's faces must stand from the fork axis, and what sets them."""
+    places, widths = _faces(assembly)
+    inner, outer = (
+        f"{rounded(abs(at), 2)} ± {width:g}" if width else rounded(abs(at), 2)
+        for at, width in zip(places, widths, strict=True)
+    )
+    return Message(
+        "Disc: its inner face stands {inner} mm and its outer face {outer} mm to the {side} of the fork axis. Measure "
+        "both from the spindle before the disc is {held}, and {how} until they do.{untold}",
+        inner=inner,
+        outer=outer,
+        side=Message("left") if places[0] > 0 else Message("right"),
+        held=Message("clamped") if _on_sleeve(assembly) else Message("fixed"),
+        how=Message("fit the length of the sleeve") if _on_sleeve(assembly) else Message("move it"),
+        untold=""
+        if all(widths)
+        else Message(" How far they may be off is not stated (tolerances.inner_face_mm, tolerances.outer_face_mm)."),
+    )
+
+
+def _on_sleeve(assembly: CarAssembly) -> bool:
+    """Whether a sleeve sets the place of the disc."""
+    return any(part.code == "sleeve-disc" for part in assembly.parts)
 
 
 def _felt_place(braked: Braked, *, framed: bool, printed: bool) -> Message:

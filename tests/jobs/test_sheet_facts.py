@@ -58,16 +58,16 @@ NEEDS = {
 }  # fmt: skip
 NO_PARTS = frozenset(
     """
-    above acros adjust after again against ahead all along and angle apart are average axi back backward balloon
-    base bed before behind belong below beside between beyond both but cadgen cannot car centre clear come counted
-    design doe down drawn each edge either ended energy face fall find first floor flush for forward frame free
-    from gap give goe gravity ha hand height hold hole inner into it itself last lead least leave left lie line
-    little longest look lower lowest mas material more mounting move must nearest never not nowhere off one open
-    opening order other outside outward over overhang parallel part path piece place play point pres presse pressed
-    printer pull push pushed pushing put ray right rolling room round run say sheet short shown side slack speed stand
-    start state step suit table take than that the their them then there these they those through tip together too
-    touche toward train trial trim turn turning two under until used usual wall way waypoint what where which
-    while with within without wrong
+    above acros adjust after again against ahead all along and angle apart are average axi back backward balloon base
+    bed before behind belong below beside between beyond both but cadgen cannot car centre clear come counted design
+    doe down drawn each edge either ended energy face fall find fit first floor flush for forward frame free from gap
+    give goe gravity ha hand height hold hole inner into it itself last lead least leave left length lie line little
+    longest look lower lowest mas material measure more mounting move must nearest never not nowhere off one open
+    opening order other outer outside outward over overhang parallel part path piece place play point pres presse
+    pressed printer pull push pushed pushing put ray right rolling room round run say sheet short shown side slack
+    speed stand start state step suit table take than that the their them then there these they those through tip
+    together too touche toward train trial trim turn turning two under until used usual wall way waypoint what where
+    which while with within without wrong
     """.split()  # noqa: SIM905
 )
 WITHOUT_FITS = ("base", "platform")  # whose holes are for screws, and whose slots for tabs
@@ -411,6 +411,24 @@ def test_what_the_mounting_page_speaks_of_is_in_the_list_of_parts(car: CarAssemb
         assert lacking(without), code
 
 
+def test_the_faces_of_a_disc_have_their_own_limits_on_the_side_of_the_rod(car: CarAssembly) -> None:
+    """Inner 19.5, outer 24.5 mm on the right: the outer face is the farther to the right, with a hub or without."""
+    keys = ["cam.mid_plane_mm=22", "cam.thickness_mm=5", "tolerances.inner_face_mm=0.02"]
+    design = load_design("workshop_car", keys)
+    other = replace(
+        car, layout=replace(car.layout, design=design, site=replace(car.layout.site, fork=1.0, rod_side=-1))
+    )
+    (place,) = (step.place for table in mountings(other) for step in table.steps if step.part == "disc of the cam")
+    assert place == "-24.5 ±0.05 … -19.5 ±0.02 mm"
+    assert "inner face stands 19.5 ± 0.02 mm and its outer face 24.5 ± 0.05 mm to the right" in str(
+        list(mounting_notes(other))
+    )
+    untold = load_design("workshop_car", ["tolerances="])
+    notes = str(list(mounting_notes(replace(car, layout=replace(car.layout, design=untold)))))
+    assert "inner face stands 23.5 mm" in notes
+    assert "not stated (tolerances.inner_face_mm, tolerances.outer_face_mm)" in notes
+
+
 def test_a_disc_without_a_bearing_beside_it_is_not_said_to_have_a_sleeve(car: CarAssembly) -> None:
     without = replace(car, parts=tuple(part for part in car.parts if part.code != "sleeve-disc"))
     between = "between sleeve and set collar"
@@ -502,7 +520,10 @@ def test_the_mounting_plan_says_order_direction_place_and_hold(car: CarAssembly)
     facts = {
         "order": len(steps) == len(on_shafts),
         "direction": all(step.way in ("from the left", "from the right") for step in put_on),
-        "place": all(re.fullmatch(r"-?[\d.]+ … -?[\d.]+ mm", step.place) for step in put_on),
+        "place": all(re.fullmatch(r"-?[\d.]+( ±0.05)? … -?[\d.]+( ±0.05)? mm", step.place) for step in put_on),
+        # Mid-plane 25 mm and thickness 3 mm, each face within its half width of the design's tolerances.
+        "faces": [step.place for step in steps if step.part == "disc of the cam"] == ["23.5 ±0.05 … 26.5 ±0.05 mm"]
+        and "inner face stands 23.5 ± 0.05 mm and its outer face 26.5 ± 0.05 mm to the left of the fork" in notes,
         "held": all(step.remark for step in steps),
         "slack": "Take up the slack before each start: pushing" in notes and "0.05°" in notes,
         "zero": "Start: turn the drive forward" in notes,
