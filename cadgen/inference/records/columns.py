@@ -5,12 +5,10 @@ from dataclasses import dataclass, field
 
 from cadgen.errors import FileError, brief
 from cadgen.inference.measurement.record import Kind, Method
-from cadgen.inference.records.units import TIMES, ColumnName, heading
+from cadgen.inference.records.units import IDLE, TIMES, ColumnName, heading
 from cadgen.messages import Message, joined
 
 _CAM, _MOTOR = "camangle", "motorangle"
-# Columns beside positions that say nothing of the cam.
-IDLE = ("z", "no", "nr", "number", "point", "points", "id", "index", "i", "n", "name", "comment", "序号", "点号", "")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -57,7 +55,7 @@ class Match:
 def match_columns(names: Sequence[str], name: str, known: Sequence[Kind], reading: Reading) -> Match:
     """Match the columns of a file to those of a kind of data.
 
-    Of the kinds whose columns are all there, that with most columns is taken. A file without runs is one run.
+    Of the kinds whose columns are all there, that with most columns is taken.
 
     Args:
         names: names of the columns in the file.
@@ -187,6 +185,9 @@ def _by_motor(
     """Cam angles from those of the motor, where a file has no other."""
     lacking = [column for column in kind.header if heading(column).quantity == _CAM and column not in places]
     motor = [n for n, has in enumerate(headings) if has.quantity == _MOTOR and has.factor("deg") is not None]
+    # Data that compare both angles have each from its own column.
+    if any(heading(column).quantity == _MOTOR for column in kind.header):
+        return {}
     if not lacking or len(motor) != 1 or reading.ratio is None or kind.method is Method.ZONE_MEANS:
         return {}
     return {lacking[0]: ColumnPlace(motor[0], (headings[motor[0]].factor("deg") or 1.0) / reading.ratio)}
@@ -222,8 +223,6 @@ def _notes(
                 ratio=reading.ratio,
             )
         )
-    if kind.key not in places:
-        notes.append(Message("without a column {key} it is one run", key=kind.key))
     used = {place.index for place in (*places.values(), *scaled.values())}
     if idle := [called for n, called in enumerate(names) if n not in used]:
         notes.append(Message("{columns} not used", columns=joined([brief(called) for called in idle], ", ")))

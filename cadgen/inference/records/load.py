@@ -33,14 +33,16 @@ from cadgen.inference.measurement.record import (
     refuse_many,
     refuse_many_runs,
 )
+from cadgen.inference.records.cell_numbers import plain_numbers
 from cadgen.inference.records.columns import AS_NAMED, Match, Reading, match_columns
-from cadgen.inference.records.text_table import Head, head_of, rows_of, text_of
-from cadgen.inference.records.units import DIRECTIONS, TIMES, heading, other_length
+from cadgen.inference.records.side_by_side import brought_under
+from cadgen.inference.records.table_rows import TableRows, each_once, rows_of, with_numbers
+from cadgen.inference.records.text_table import HEAD_LINES, Head, head_of, is_remark, text_of
+from cadgen.inference.records.units import TIMES, WORDS, heading, other_length
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 
 MOST_BYTES = 32_000_000  # of a file: the longest log with all digits
-_FIRST = 20  # lines that tell the encoding
 
 
 def load(path: Path, known: Sequence[Kind] | None = None, reading: Reading = AS_NAMED) -> Record:
@@ -59,7 +61,7 @@ def load(path: Path, known: Sequence[Kind] | None = None, reading: Reading = AS_
 
     def named(text: str) -> int:
         # Number of the names of columns that are known, in one of the first lines.
-        lines = [line for line in text.splitlines()[:_FIRST] if not line.startswith("#")]
+        lines = [line for line in text.splitlines()[:HEAD_LINES] if not is_remark(line)]
         return max((_known_names(re.split(r"[;\t,|]", line), known, reading) for line in lines), default=0)
 
     text, notes = text_of(content, name, named)
@@ -71,24 +73,39 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     """Read a file's text; `name` of the file for messages, other arguments and errors as `load`."""
     head = head_of(text, name, lambda cells: _known_names(cells, known, reading))
     exact = None if known is not None or reading.columns else kind_with(head.names)
-    match = match_columns(head.names, name, (exact,) if exact else known or kinds(), reading)
-    _refuse_unit_of_remark(head, match, reading, name)
-    kind = match.kind
+    among = (exact,) if exact else known or kinds()
     # Counted before any is kept: of the shortest lines a file has millions.
-    refuse_many(kind, len(head.body), name)
-    table = rows_of(head, name)
-    cells = list(zip(*table.cells, strict=True))
+    refuse_many(max(among, key=lambda kind: kind.most_rows), len(head.body), name)
+    try:
+        rows = rows_of(head, name)
+    except FileError:
+        # Names that are none explain rows that do not fit them.
+        match_columns(head.names, name, among, reading)
+        raise
+    table, match = _matched(plain_numbers(rows, name), name, among, reading)
+    _refuse_unit_of_remark(head, table.names, match, reading, name)
+    kind = match.kind
+    table = with_numbers(table, [match.places[column.name].index for column in kind.columns if not column.words])
+    if not kind.counts:
+        table = each_once(table, [place.index for place in match.places.values()])
+    refuse_many(kind, len(table.lines), name)
     columns: dict[str, NDArray[np.generic]] = {}
     for column in kind.columns:
         place = match.places[column.name]
+        cells = table.columns[place.index]
         if column.words:
-            words = [DIRECTIONS.get(cell.lower(), cell) for cell in cells[place.index]]
+            meant = next((each for each in WORDS if set(column.words) <= set(each.values())), {})
+            words = [meant.get(cell.lower(), cell) for cell in cells]
             columns[column.name] = _words(words, column, table.lines, name)
         else:
-            columns[column.name] = _numbers(cells[place.index], column, table.lines, name, place.factor)
+            columns[column.name] = _numbers(cells, column, table.lines, name, place.factor)
     key = match.places.get(kind.key)
-    keys = np.array(["1"] * len(table.lines) if key is None else cells[key.index])
-    notes = (*head.notes, *table.notes, *match.notes)
+    keys = np.array([str(block) for block in table.blocks] if key is None else table.columns[key.index])
+    if key is None:
+        one = Message("without a column {key} it is one run", key=kind.key)
+        blocks = Message("without a column {key} each block of rows is a run", key=kind.key)
+        table = table.noted(blocks if max(table.blocks) else one)
+    notes = (*head.notes, *match.notes, *table.notes)
     if kind.method is Method.ZONE_MEANS:
         columns[kind.key] = keys
         none = np.zeros(len(keys), dtype=np.intp)
@@ -112,15 +129,29 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     return record
 
 
-def _refuse_unit_of_remark(head: Head, match: Match, reading: Reading, name: str) -> None:
+def _matched(table: TableRows, name: str, among: Sequence[Kind], reading: Reading) -> tuple[TableRows, Match]:
+    """Table and its match to a kind of data, runs that stood side by side brought under each other."""
+    quantities = {heading(column).quantity for kind in among for column in kind.header}
+    if not reading.columns and (beside := brought_under(table, quantities | set(TIMES))):
+        under, several = beside
+        try:
+            match = match_columns(under.names, name, among, reading)
+        except FileError:
+            match = None
+        if match and {heading(reading_name).quantity for reading_name in match.kind.readings} <= several:
+            return under, match
+    return table, match_columns(table.names, name, among, reading)
+
+
+def _refuse_unit_of_remark(head: Head, names: Sequence[str], match: Match, reading: Reading, name: str) -> None:
     """Refuse another unit than mm that a title or remark alone says, where a column of lengths has none."""
     bare = (
-        head.names[place.index]
+        names[place.index]
         for column, place in match.places.items()
         if column not in reading.columns
         and heading(column).factor("mm") is not None
         and heading(column).unit
-        and not heading(head.names[place.index]).unit
+        and not heading(names[place.index]).unit
     )
     column = next(bare, None)
     if column is not None and (said := other_length(head.remarks)):
@@ -139,7 +170,7 @@ def _known_names(cells: Sequence[str], known: Sequence[Kind] | None, reading: Re
         return len(cells)
     names = [column for kind in known or kinds() for column in kind.header] + list(reading.columns.values())
     quantities = {heading(column).quantity for column in names} | set(TIMES)
-    return sum(heading(cell).quantity in quantities for cell in cells)
+    return len({heading(cell).quantity for cell in cells} & quantities)
 
 
 def digest(path: Path) -> str:

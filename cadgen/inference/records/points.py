@@ -11,8 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from cadgen.errors import FileError, escaped
-from cadgen.inference.records.columns import IDLE
-from cadgen.inference.records.units import TIMES, heading
+from cadgen.inference.records.units import IDLE, TIMES, heading
 from cadgen.messages import Message
 from cadgen.reading import read_regular
 

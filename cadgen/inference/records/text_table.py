@@ -1,7 +1,7 @@
 """Tables as people export them: text of any encoding, columns set apart by any mark, numbers with point or comma.
 
-A table is a line of column names, at most a line of units, and rows of cells. Lines that begin with # are remarks, and
-so are those above the names. What had to be understood for that is said in notes.
+A table is a line of column names, at most a line of units, and rows of cells. Lines that begin with #, % or // are
+remarks, and so are those above the names. What had to be understood for that is said in notes.
 """
 
 import csv
@@ -13,18 +13,25 @@ from io import BytesIO, StringIO
 from typing import Any
 
 from cadgen.errors import FileError, brief
-from cadgen.inference.records.units import unit_of
+from cadgen.inference.records.units import BARE, heading, unit_of
 from cadgen.messages import Message, joined
 
 # Of a file's comment lines, and of the characters of any line: they are searched for words on the instrument.
 MOST_REMARKS, LONGEST_LINE = 200, 1000
 # Sheets are packed: a small file may hold a large table.
 MOST_UNPACKED = 200_000_000
-_HEAD_LINES = 20  # lines in which the names of the columns are looked for
-_MARKS = {";": Message("semicolons"), "\t": Message("tabs"), ",": Message("commas"), "|": Message("bars")}
-_POINT = re.compile(r"\s*[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\s*")
-_COMMA = re.compile(r"\s*[+-]?(\d+,\d*|,\d+)([eE][+-]?\d+)?\s*")
-_GROUPS = re.compile(r"\s*[+-]?\d{1,3}(,\d{3})+\s*")
+_LEAST_NAMES = 2  # of a line that names columns, if it is a remark
+HEAD_LINES = 60  # lines in which the names of the columns are looked for
+_MARKS = {
+    ";": Message("semicolons"),
+    "\t": Message("tabs"),
+    ",": Message("commas"),
+    "|": Message("bars"),
+    "；": Message("semicolons"),
+    "，": Message("commas"),
+}
+_REMARK = ("#", "%", "//")
+_RULE = re.compile(r"[|\s:+=-]*[|:+=-]{2}[|\s:+=-]*")  # of a table that is drawn with marks
 
 
 @dataclass(frozen=True)
@@ -33,6 +40,7 @@ class Head:
 
     Attributes:
         names: names of the columns, with their units where the file has those.
+        printed: names as they stand in the file.
         body: number and text of each line of a row.
         mark: mark between the cells of a line; empty for spaces.
         remarks: comment lines, without their mark.
@@ -40,24 +48,10 @@ class Head:
     """
 
     names: tuple[str, ...]
+    printed: tuple[str, ...]
     body: tuple[tuple[int, str], ...]
     mark: str
     remarks: tuple[str, ...]
-    notes: tuple[Message, ...] = ()
-
-
-@dataclass(frozen=True)
-class TableRows:
-    """TableRows of a table.
-
-    Attributes:
-        lines: number of each row's line in the file.
-        cells: cells of each row, numbers with decimal points.
-        notes: what was understood besides points.
-    """
-
-    lines: tuple[int, ...]
-    cells: tuple[tuple[str, ...], ...]
     notes: tuple[Message, ...] = ()
 
 
@@ -167,8 +161,9 @@ def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head
     """
     lines = text.splitlines()
     _refuse_long(lines, name)
-    remarks = [line.lstrip("# ").strip() for line in lines if line.startswith("#")]
-    body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not line.startswith("#")]
+    remarks = [line.lstrip("#%/ ").strip() for line in lines if is_remark(line)]
+    body = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not is_remark(line)]
+    body = [(n, line) for n, line in body if not _RULE.fullmatch(line)]
     notes: list[Message] = []
     mark = ""
     if body and (stated := re.fullmatch(r"sep=(.)", body[0][1].strip())):
@@ -178,70 +173,109 @@ def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head
             "{name}: no table in it; the first line must name the columns, such as run,cam_angle_deg", name=name
         )
     # The line with most names, the first of these; what stands above it says something of the file.
-    heads = [_split(line, mark or _mark(line), number, name) for number, line in body[:_HEAD_LINES]]
+    heads = [split_line(line, mark or _mark(line), number, name) for number, line in body[:HEAD_LINES]]
     counts = [known(cells) for cells in heads]
     top = counts.index(max(counts))
-    if top:
-        remarks = [*remarks, *(line.strip() for _, line in body[:top])]
-        notes.append(Message("the names of its columns stand in line {line}", line=body[top][0]))
-    mark, names, body = mark or _mark(body[top][1]), heads[top], body[top + 1 :]
+    of_remark = _named_in_remark(remarks, body[0][1], mark, name, known) if max(counts) < _LEAST_NAMES else None
+    if of_remark:
+        names, mark = of_remark, mark or _mark(body[0][1])
+        notes.append(Message("a remark names its columns"))
+    else:
+        if top:
+            remarks = [*remarks, *(line.strip() for _, line in body[:top])]
+            notes.append(Message("the names of its columns stand in line {line}", line=body[top][0]))
+        mark, names = mark or _mark(body[top][1]), heads[top]
+        if not mark:
+            names = _names_apart(body[top][1], len(split_line(body[-1][1], mark, body[-1][0], name)))
+        body = body[top + 1 :]
     if mark != ",":
         notes.append(Message("its columns are set apart by {marks}", marks=_MARKS.get(mark, Message("spaces"))))
-    units = [cell.strip("[]() ") for cell in _split(body[0][1], mark, body[0][0], name)] if body else []
-    if len(units) == len(names) and any(units) and all(not unit or unit_of(unit) for unit in units):
-        names = [f"{column} [{unit}]" if unit else column for column, unit in zip(names, units, strict=True)]
+    printed = tuple(names)
+    units = _units_in(split_line(body[0][1], mark, body[0][0], name), names) if body else None
+    if units:
+        names = [_with_unit(column, unit, name) for column, unit in zip(names, units, strict=True)]
         notes.append(Message("its second line has the units"))
-        body = body[1:]
-    return Head(tuple(names), tuple(body), mark, tuple(remarks), tuple(notes))
+    return Head(tuple(names), printed, tuple(body[1:] if units else body), mark, tuple(remarks), tuple(notes))
 
 
-def rows_of(head: Head, name: str) -> TableRows:
-    """TableRows under the names of a table.
+def is_remark(line: str) -> bool:
+    """Whether a line is a remark by its mark."""
+    return line.startswith(_REMARK)
 
-    Raises:
-        FileError: no row, one of another length than the names, or commas that may stand for points or for thousands.
-    """
-    rows = [(number, _split(line, head.mark, number, name)) for number, line in head.body]
-    if not rows:
-        raise FileError("{name}: no row stands under its header; add what was measured", name=name)
-    for number, cells in rows:
-        if len(cells) != len(head.names):
-            raise FileError(
-                "{name}, line {line}: {count} cells under {columns} columns; correct the line, with commas between "
-                "cells and decimal points in numbers",
-                name=name,
-                line=number,
-                count=len(cells),
-                columns=len(head.names),
-            )
-    lines, table = tuple(n for n, _ in rows), tuple(tuple(row) for _, row in rows)
-    columns = list(zip(*table, strict=True))
-    if not any(_COMMA.fullmatch(cell) for column in columns for cell in column):
-        return TableRows(lines, table)
-    for column in columns:
-        # A comma may set thousands apart, as 1,250 beside 980 or 0.5 does.
-        commas = [cell for cell in column if _COMMA.fullmatch(cell)]
-        others = [cell for cell in column if _POINT.fullmatch(cell)]
-        grouped = all(_GROUPS.fullmatch(cell) and not re.match(r"\s*[+-]?0", cell) for cell in commas)
-        if commas and others and (grouped or any("." in cell for cell in others)):
-            raise FileError(
-                "{name}: its commas may stand for decimal points or for thousands, as in {cell}; save it with decimal "
-                "points",
-                name=name,
-                cell=brief(commas[0].strip()),
-            )
-    points = tuple(tuple(c.replace(",", ".") if _COMMA.fullmatch(c) else c for c in row) for row in table)
-    return TableRows(lines, points, (Message("it has decimal commas"),))
+
+def _named_in_remark(
+    remarks: Sequence[str], row: str, mark: str, name: str, known: Callable[[Sequence[str]], int]
+) -> list[str] | None:
+    """Names of columns in the last remark that has as many as a row has cells; None if none has."""
+    mark = mark or _mark(row)
+    width = len(split_line(row, mark, 1, name))
+    for remark in reversed(remarks):
+        try:
+            cells = _names_apart(remark, width) if not mark else split_line(remark, mark, 1, name)
+        except FileError:
+            continue
+        if len(cells) == width and known(cells) >= _LEAST_NAMES:
+            return cells
+    return None
+
+
+def _names_apart(line: str, width: int) -> list[str]:
+    """Names that spaces set apart: two of them, where names hold one, else one before any but a bracket."""
+    wide = re.split(r"\s{2,}", line.strip())
+    return wide if len(wide) == width else re.sub(r"\s+(?=[\[(])", "", line).split()
+
+
+def _units_in(cells: Sequence[str], names: Sequence[str]) -> list[str] | None:
+    """Unit of each column by the line under the names, empty where it has none; None if it is no line of units."""
+    units = [cell.strip("[]()（） ") for cell in cells]
+    while len(units) > len(names) and not units[-1]:
+        units.pop()
+    if len(units) < len(names) and all(heading(called).quantity in BARE for called in names[: -len(units)]):
+        units = [*[""] * (len(names) - len(units)), *units]  # columns in front have none
+    units = ["" if unit in ("-", "–", "1") else unit for unit in units]
+    some = [unit for unit in units if unit]
+    if len(units) != len(names) or any(unit[0].isdigit() for unit in some):
+        return None
+    # Of columns that are not needed a unit may be unknown.
+    return units if sum(map(bool, map(unit_of, some))) > len(some) / 2 else None
+
+
+def _with_unit(column: str, unit: str, name: str) -> str:
+    """Name of a column with the unit under it, if it has none itself."""
+    own = heading(column).unit
+    if not unit or not unit_of(own):
+        return f"{column} [{unit}]" if unit else column
+    if unit_of(unit) not in (None, unit_of(own)):
+        raise FileError(
+            "{name}: the column {column} has another unit in the line under its name, {unit}: keep one of them",
+            name=name,
+            column=brief(column),
+            unit=brief(unit),
+        )
+    return column
 
 
 def _mark(line: str) -> str:
     """Mark between the cells of a line; empty for spaces."""
-    return next((mark for mark in ";\t,|" if mark in line), "")
+    return next((mark for mark in _MARKS if mark in line), "")
 
 
-def _split(line: str, mark: str, number: int, name: str) -> list[str]:
+def split_line(line: str, mark: str, number: int, name: str) -> list[str]:
+    """Cells of a line.
+
+    Args:
+        line: of a table.
+        mark: mark between them; empty for spaces.
+        number: of the line, for messages.
+        name: of the file, for messages.
+
+    Raises:
+        FileError: a quote that is not closed.
+    """
     if not mark:
         return line.split()
+    if mark == "|" and line.lstrip().startswith("|"):
+        line = line.strip().removeprefix("|").removesuffix("|")
     try:
         return [cell.strip() for cell in next(csv.reader([line], delimiter=mark, strict=True))]
     except csv.Error as error:
@@ -258,7 +292,7 @@ def _refuse_long(lines: list[str], name: str) -> None:
             count=len(lines[long - 1]),
             most=LONGEST_LINE,
         )
-    if (remarks := sum(line.startswith("#") for line in lines)) > MOST_REMARKS:
+    if (remarks := sum(is_remark(line) for line in lines)) > MOST_REMARKS:
         raise FileError(
             "{name}: {remarks} comment lines, more than {most}; keep those that tell design and instrument",
             name=name,

@@ -23,7 +23,8 @@ _UNITS: dict[str, dict[str, float]] = {
     "deg": {
         **dict.fromkeys(("deg", "°", "degree", "degrees", "度", "Grad", "degré", "degrés"), 1.0),
         **dict.fromkeys(("rad", "radian", "radians", "弧度"), 57.29577951308232),
-        **dict.fromkeys(("rev", "turn", "turns", "revolutions", "圈", "umdrehungen"), 360.0),
+        **dict.fromkeys(("rev", "turn", "turns", "revolutions", "圈", "umdrehungen", "U", "Umdr"), 360.0),
+        **dict.fromkeys(("gon", "gons", "gradian", "gradians", "grads"), 0.9),
     },
     "N": {"N": 1.0, "kN": 1000.0, **dict.fromkeys(("lbf", "lb"), 4.4482216152605)},
     "Nm": {**dict.fromkeys(("Nm", "N·m", "N m"), 1.0), **dict.fromkeys(("Nmm", "N·mm", "mNm"), 1e-3)},
@@ -34,25 +35,71 @@ _ALL = {unit: (base, factor) for base, units in _UNITS.items() for unit, factor 
 _QUANTITIES: dict[str, tuple[str, ...]] = {
     "camangle": (
         *("camshaftangle", "angleofcam", "cam", "theta", "θ", "angle", "rotation", "nockenwinkel", "winkel"),
+        *(
+            "drehwinkel",
+            "nocke",
+            "nocken",
+            "nockenwelle",
+            "nockenwellenwinkel",
+            "winkelnocken",
+            "winkelnockenwelle",
+            "phi",
+            "φ",
+            "ϕ",
+        ),
         *("凸轮转角", "凸轮角度", "凸轮角", "转角", "角度"),
     ),
-    "motorangle": ("motor", "motorrotation", "driveangle", "motorwinkel", "电机转角", "电机角度", "电机角"),
+    "motorangle": (
+        *("motor", "motorrotation", "motorposition", "motorpos", "driveangle", "angleofmotor", "motorwinkel"),
+        *("motorposition", "winkelmotor", "motorwelle", "电机转角", "电机角度", "电机角", "电机位置"),
+    ),
     "inputangle": ("input", "eingang", "eingangswinkel", "输入", "输入角", "输入转角", "输入角度"),
     "outputangle": ("output", "ausgang", "ausgangswinkel", "输出", "输出角", "输出转角", "输出角度"),
     "outputtorque": ("torque", "load", "moment", "drehmoment", "last", "转矩", "扭矩", "力矩", "负载"),
-    "x": ("xpos", "posx", "xposition", "positionx", "xcoord", "xcoordinate", "x坐标", "坐标x"),
-    "y": ("ypos", "posy", "yposition", "positiony", "ycoord", "ycoordinate", "y坐标", "坐标y"),
-    "lift": ("stroke", "dial", "hub", "升程", "行程"),
+    "x": ("xpos", "posx", "xposition", "positionx", "xcoord", "xcoordinate", "xwert", "x坐标", "坐标x"),
+    "y": ("ypos", "posy", "yposition", "positiony", "ycoord", "ycoordinate", "ywert", "y坐标", "坐标y"),
+    "lift": (
+        *("stroke", "dial", "dialindicator", "indicator", "hub", "messuhr"),
+        *("升程", "行程", "百分表", "千分表"),
+    ),
+    "tooth": ("toothno", "toothnumber", "zahn", "zahnnr", "齿", "齿号"),
+    "flank": ("side", "flanke", "齿面"),
+    "pitch": ("singlepitch", "pitchdeviation", "einzelteilung", "einzelteilungsabweichung", "单齿距", "单个齿距偏差"),
+    "index": ("cumulativepitch", "accumulatedpitch", "summenteilung", "累积齿距"),
+    "rolllength": ("lengthofroll", "wälzlänge", "wälzweg", "展开长度"),
+    "profile": ("profiledeviation", "profilabweichung", "齿廓偏差"),
+    "helix": ("helixdeviation", "leaddeviation", "flankenlinienabweichung", "螺旋线偏差"),
     "direction": ("dir", "richtung", "方向"),
-    "run": ("runno", "runnumber", "runid", "trial", "lauf", "次数", "试验", "运行"),
+    "run": (
+        *("runno", "runnumber", "runid", "trial", "lauf", "versuch", "fahrt", "messung", "essai"),
+        *("次数", "试验", "运行", "试验序号", "试验号"),
+    ),
 }
+_WIDE = str.maketrans("（）［］【】／", "()[][]/")
 _ALSO_WORDS = ("in", "m", "ft")  # of languages, or letters, which in a sentence are no units
 _MEANT = {other: quantity for quantity, others in _QUANTITIES.items() for other in others}
 TIMES = ("t", "time", "timestamp", "seconds", "zeit", "时间")
+# Cells of a point that was lost, in small letters.
+MISSING = frozenset(
+    (
+        *("", "nan", "na", "n/a", "null", "none", "missing", "lost", "?", "*", "-", "--", "---", "----", "–", "—"),
+        *("inf", "-inf", "#n/a", "#na", "#nv", "#div/0!", "#value!", "#wert!", "#num!", "#zahl!", "#ref!", "#bezug!"),
+    )
+)
+# Columns beside positions that say nothing of the cam.
+IDLE = ("z", "no", "nr", "number", "point", "points", "id", "index", "i", "n", "name", "comment", "序号", "点号", "")
+BARE = ("run", "direction", "tooth", "flank", "zone", *IDLE)  # quantities that may have no unit
 # Words that a column of directions may have, beside its own.
 _FORWARD = ("forward", "forwards", "fwd", "f", "+", "+1", "1", "vor", "vorwärts", "hin", "正", "正转", "正向")
-_REVERSE = ("reverse", "rev", "r", "backward", "back", "-", "-1", "zurück", "rückwärts", "反", "反转", "反向")
+_REVERSE = ("reverse", "rev", "r", "backward", "back", "-", "-1", "zurück", "rück", "rückwärts", "反", "反转", "反向")
 DIRECTIONS = {**dict.fromkeys(_FORWARD, "forward"), **dict.fromkeys(_REVERSE, "reverse")}
+
+
+# Words for the flank of a tooth.
+_LEFT = ("left", "l", "lf", "links", "linke", "左", "左齿面")
+_RIGHT = ("right", "r", "rf", "rechts", "rechte", "右", "右齿面")
+FLANKS = {**dict.fromkeys(_LEFT, "left"), **dict.fromkeys(_RIGHT, "right")}
+WORDS = (DIRECTIONS, FLANKS)
 
 
 @dataclass(frozen=True)
@@ -71,8 +118,8 @@ class ColumnName:
         """Factor to a unit of the columns; 1 where the file has none, None where it is of another quantity."""
         if not self.unit:
             return 1.0
-        found = unit_of(self.unit)
-        return found[1] if found and found[0] == base else None
+        found, asked = unit_of(self.unit), unit_of(base)
+        return found[1] / asked[1] if found and asked and found[0] == asked[0] else None
 
 
 def unit_of(text: str) -> tuple[str, float] | None:
@@ -82,9 +129,11 @@ def unit_of(text: str) -> tuple[str, float] | None:
 
 def heading(name: str) -> ColumnName:
     """Take a name such as `Pos X (cm)` apart into its quantity and its unit."""
-    text = name.strip()
+    text = name.strip().translate(_WIDE)
     if bracket := re.fullmatch(r"(.+?)\s*[\[(]\s*([^\[\]()]*?)\s*[\])]", text):
         return ColumnName(_quantity(bracket[1]), bracket[2])
+    if (humps := re.fullmatch(r"([a-z]\w*?)([A-Z][a-z]+)", text)) and unit_of(humps[2]):
+        return ColumnName(_quantity(humps[1]), humps[2])
     match = re.fullmatch(r"(.+?)\s*[/,]\s*(\S+)", text)
     match = match or re.fullmatch(r"(.+?)\s+in\s+(\S+)", text) or re.fullmatch(r"(.+)[_\s](\S+)", text)
     if match and unit_of(match[2]):

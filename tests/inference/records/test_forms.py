@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
+from cadgen.inference.gearing.flank_kinds import GEAR_KINDS
 from cadgen.inference.records.columns import Reading
 from cadgen.inference.records.load import TRIAL, load, read_trials
 
@@ -105,6 +106,93 @@ READ = {
         "divided by the ratio of the train, 45",
     ),
     "exponents": (text(named(), digits="{:.7e}"), ""),
+    "gradians": (text(named(angle="cam angle [gon]", by=(400 / 360, 1.0)), **FINE), "times 0.9"),
+    "degrees, minutes and seconds": (
+        text(
+            named("run", "cam angle", "x [mm]", "y [mm]")
+            | {"cam angle": [f"{int(a) - 1}°59'60\"" if a else "0°" for a in ANGLES]},
+            mark=";",
+        ),
+        "degrees, minutes and seconds",
+    ),
+    "thousands by apostrophes": (text(named() | {"x_mm": [f"{x:,.1f}".replace(",", "'") for x in X]}), ""),
+    "thousands by thin spaces": (
+        text(named() | {"x_mm": [f"{x:,.1f}".replace(",", "\u202f") for x in X]}, mark=";", comma=True),
+        "decimal commas",
+    ),
+    "thousands by points": (
+        text(
+            named()
+            | {
+                "x_mm": [f"{x:,.1f}".translate(str.maketrans(",.", ".,")) for x in X],
+                "y_mm": [f"{y:.1f}".replace(".", ",") for y in Y],
+            },
+            mark=";",
+        ),
+        "points that set thousands apart",
+    ),
+    "thousands by commas": (
+        text(named() | {"x_mm": [f"{x:,.1f}" for x in X]}, quote=True),
+        "commas set thousands apart",
+    ),
+    "summaries behind the rows": (
+        text(named()) + "Mean,178.5,12.1,-250.0\nMax,357,3989,649\n",
+        "lines that are no rows are passed over: 122, 123",
+    ),
+    "lines of a logger behind the rows": (text(named()) + "\nEND OF DATA\npoints: 120\n", "passed over: 123, 124"),
+    "lost points": (
+        text(named())
+        .replace("\n", "\n1,7,NaN,NaN\n1,8,---,5\n1,9,,\n", 3)
+        .replace("\n1,7,NaN,NaN\n1,8,---,5\n1,9,,\n", "\n", 2),
+        "3 rows without a number are left out",
+    ),
+    "rows that were written twice": (
+        "\n".join(line for k, line in enumerate(text(named()).splitlines()) for _ in range(1 + (k % 9 == 4))),
+        "13 rows that repeat the one before",
+    ),
+    "units in cells": (
+        text(
+            {
+                "run": TRACK["run"],
+                "angle": [f"{a:g}°" for a in ANGLES],
+                "x": [f"{x} mm" for x in X],
+                "y": [f"{y / 10:.2f} cm" for y in Y],
+            }
+        ),
+        'y_mm is "y [cm]" times 10',
+    ),
+    "another minus": (text(named()).replace("-", "−"), ""),
+    "names in a remark": ("# " + SPACES, "a remark names its columns"),
+    "remarks of another program": ("% camera 2\n// 30 Hz\n" + text(named()), ""),
+    "names that run together": (text(named(angle="camAngleDeg", x="xMm", y="yMm")), '"camAngleDeg"'),
+    "empty rows and columns": (text(named(), mark=";").replace("\n", ";;\n") + ";;;;;\n;;;;;\n", "semicolons"),
+    "a line of words under the units": (
+        text(named("run", "angle", "x", "y"), units=("", "deg", "mm", "mm")).replace(
+            "mm,mm\n", "mm,mm\n,encoder,camera,camera\n"
+        ),
+        "passed over: 3",
+    ),
+    "a unit that is not needed": (
+        text(named("run", "angle", "x", "y") | {"U": ANGLES}, units=("-", "°", "mm", "mm", "V")),
+        "second line has the units",
+    ),
+    "fixed width": (
+        f"{'Run':>5}{'Cam angle':>12}{'X pos':>12}{'Y pos':>12}\n{'deg':>17}{'mm':>12}{'mm':>12}\n"
+        + "".join(f"{1:5d}{a:12.2f}{x:12.2f}{y:12.2f}\n" for a, x, y in zip(ANGLES, X, Y, strict=True)),
+        "second line has the units",
+    ),
+    "a table drawn with bars": (
+        "\n".join(
+            f"| {line.replace(',', ' | ')} |"
+            for line in text(named())
+            .replace("\n", "\n-,-,-,-\n", 1)
+            .replace("-,-,-,-", "---,---:,---:,---:")
+            .splitlines()
+        ),
+        "bars",
+    ),
+    "wide marks": (text(named("次数", "凸轮转角（°）", "X（mm）", "Y（mm）")).replace(",", "，"), "凸轮转角（°）"),
+    "a comment that rows lack": (text(named()).replace("y_mm", "y_mm,comment", 1), "comment not used"),
 }
 REFUSED = {
     "commas for both": (text(named(), comma=True).replace('"', ""), "cells under 4 columns"),
@@ -119,10 +207,29 @@ REFUSED = {
         "may both be cam_angle_deg",
     ),
     "a unit that is none": (text(named(x="x [px]", y="y [px]")), "lacks x_mm, y_mm"),
-    "gradians": (
-        text(named(angle="cam angle [gon]", by=(400 / 360, 1.0))),
-        "is not understood; if it is the cam angle",
+    "points for thousands beside decimal commas": (
+        "motor angle [deg];cam angle [deg]\n"
+        + "".join(f"{90 * k:,};2_{k:04d}\n" for k in range(60)).replace(",", ".").replace("_", ","),
+        "decimal points or for thousands, as in 1.080",
     ),
+    "a cam angle that is not understood beside the motor's": (
+        text({"motor [deg]": ANGLES * 45, "pos 2 [deg]": ANGLES}),
+        "lacks cam_angle_deg",
+    ),
+    "another unit under a name": (
+        text(named("run", "angle", "x [mm]", "y [mm]"), units=("", "deg", "m", "m")),
+        "another unit in the line under its name, m",
+    ),
+    "another unit in the cells": (
+        text(named(x="x [cm]") | {"x [cm]": [f"{x} mm" for x in X]}),
+        "named in another unit than its cells, mm",
+    ),
+    "two markers by one clock": (
+        text({"t": ANGLES / 10, "angle [deg]": ANGLES, "x1": X, "y1": Y, "x2": X + 9, "y2": Y}),
+        "no kind of measured data",
+    ),
+    "a line that broke off": (text(named()).rstrip()[:-8] + "\n", "3 cells under 4 columns"),
+    "a column that is mostly empty": (text(named() | {"x_mm": ["", "", "1.5"] * 40}), "finite number"),
     "a unit in a title alone": (
         text(named("run", "theta", "x", "y", by=(1.0, 0.1)), above=("positions in cm",)),
         r"says cm, and the column x has no unit: write it there, as in",
@@ -159,6 +266,71 @@ def test_a_form_that_is_unclear_is_refused(form, tmp_path):
     content, said = REFUSED[form]
     with pytest.raises(FileError, match=said):
         load(save(tmp_path, content), reading=Reading(ratio=45.0))
+
+
+SECOND = np.round(X + 1.7, 1)
+SEVERAL = {
+    "numbers in names": text({"cam_angle_deg": ANGLES, "x1_mm": X, "y1_mm": Y, "x2_mm": SECOND, "y2_mm": Y}),
+    "words before names": text({"angle": ANGLES, "Run 1 X": X, "Run 1 Y": Y, "Run 2 X": SECOND, "Run 2 Y": Y}),
+    "the names again, beside": "Run 1,,,Run 2,,\n"
+    + "\n".join(
+        f"{one},{other}"
+        for one, other in zip(
+            text(named(run="")).splitlines(), text(named(run="") | {"x_mm": SECOND}).splitlines(), strict=True
+        )
+    ),
+    "the names again, below": text(named(run="")) + "\n" + text(named(run="") | {"x_mm": SECOND}),
+    "titles": text(named(run="")).replace("\n", "\nRun 1\n", 1)
+    + "Run 2,,\n"
+    + text(named(run="") | {"x_mm": SECOND}).split("\n", 1)[1],
+}
+
+
+@pytest.mark.parametrize("form", SEVERAL)
+def test_runs_beside_or_below_each_other_are_runs(form, tmp_path):
+    record = load(save(tmp_path, SEVERAL[form]))
+    assert record.kind.code == "track"
+    assert record.runs == 2
+    for rows, x in zip(record.parts, (X, SECOND), strict=True):
+        np.testing.assert_allclose(record["cam_angle_deg"][rows], ANGLES)
+        np.testing.assert_allclose(record["x_mm"][rows], x)
+
+
+def test_lifts_there_and_back_beside_each_other_are_directions(tmp_path):
+    there, back = np.cos(np.radians(ANGLES)), np.cos(np.radians(ANGLES)) - 0.004
+    for one, other in (
+        ("Hub auf [mm]", "Hub ab [mm]"),
+        ("lift forward", "lift reverse"),
+        ("升程（正转）", "升程（反转）"),
+    ):
+        record = load(save(tmp_path, text({"angle [deg]": ANGLES, one: there, other: back}, **FINE)))
+        ways = record.columns["direction"]
+        np.testing.assert_allclose(record["lift_mm"][ways == "forward"], there, atol=1e-6)
+        np.testing.assert_allclose(record["lift_mm"][ways == "reverse"], back, atol=1e-6)
+
+
+def test_angles_there_and_back_beside_each_other_are_read_in_the_order_of_the_motion(tmp_path):
+    there, back = ANGLES, ANGLES + 0.3
+    columns = {"motor angle [deg]": 45 * ANGLES, "cam forward [deg]": there, "cam back [deg]": back}
+    record = load(save(tmp_path, text(columns, **FINE)))
+    np.testing.assert_allclose(record["motor_angle_deg"], 45 * np.array([*ANGLES, *ANGLES[::-1]]))
+    np.testing.assert_allclose(record["cam_angle_deg"], [*there, *back[::-1]], atol=1e-6)
+
+
+def test_flanks_of_teeth_by_other_words_and_beside_each_other(tmp_path):
+    teeth, left, right = np.arange(1, 21), np.sin(np.arange(20)), np.cos(np.arange(20))
+    rows = "".join(
+        f"{z};{side};{um / 1e3:.9f}\n"
+        for side, row in (("L", left), ("rechts", right))
+        for z, um in zip(teeth, row, strict=True)
+    )
+    beside = text({"Tooth": teeth, "Pitch left [µm]": left, "Pitch right [µm]": right}, **FINE)
+    for content in ("Zahn-Nr.;Flanke;Einzelteilung [mm]\n" + rows, beside):
+        record = load(save(tmp_path, content), GEAR_KINDS)
+        for side, row in (("left", left), ("right", right)):
+            mine = record.columns["flank"] == side
+            np.testing.assert_array_equal(record["tooth"][mine], teeth)
+            np.testing.assert_allclose(record["pitch_um"][mine], row, atol=1e-5)
 
 
 def test_names_that_are_not_understood_can_be_given(tmp_path):

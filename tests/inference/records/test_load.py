@@ -67,7 +67,7 @@ def test_files_of_one_kind_join_with_their_runs_numbered_on(measured):
         (LIFT.replace("lift_mm", "lift_mm,x_mm"), "line 2: 4 cells under 5 columns"),
         (LIFT.replace("lift_mm", "lift_s"), "lacks lift_mm; say which it is with --columns lift_mm=NAME"),
         (LIFT.replace("run,", "run,run,", 1), "column run stands twice"),
-        (LIFT.replace("0.050", "nan"), "line 7: lift_mm is 'nan'"),
+        (LIFT.replace("0.050", "1e999"), "line 7: lift_mm is '1e999'"),
         (LIFT.replace("0.050", "five"), "line 7: lift_mm is 'five'"),
         (LIFT.replace("0.050", "5000"), "line 7: lift_mm is 5000, outside"),
         (LIFT.replace("1,forward,5.0,0.050", "1,forward,5.0"), "line 7: 3 cells under 4 columns"),
