@@ -66,11 +66,13 @@ class Design(LoadedDesign):
                 is for.
         """
         from cadgen.api.cam import Cam
-        from cadgen.jobs.cam.motion_cam import plan_motion_cam
 
+        # Each where it is used: a cam by its motion needs nothing of a car, nor a car's cam the rooms of the other.
         if isinstance(self.values, MotionDesign):
+            from cadgen.jobs.cam.motion_cam import plan_motion_cam
+
             return Cam.of(plan_motion_cam(self.values, profile, progress))
-        from cadgen.jobs.cam.steering_cam import plan_cam  # only here: a cam by its motion needs nothing of a car
+        from cadgen.jobs.cam.steering_cam import plan_cam
 
         return Cam.of(plan_cam(self.complete(), profile, progress))
 

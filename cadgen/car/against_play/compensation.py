@@ -17,7 +17,7 @@ cutter cannot take as they are:
 """
 
 from dataclasses import dataclass
-from math import degrees, radians
+from math import ceil, degrees, floor, radians
 
 import numpy as np
 from numpy.typing import NDArray
@@ -70,19 +70,40 @@ def nodes_between(
     Returns:
         Cam angles, shape (n,), each inner one twice, and jets of tan(beta) from either side, shape (n, 3).
     """
-    turns = TURN * np.arange(np.floor(start / TURN), np.ceil(stop / TURN))
-    breaks = np.unique((lift.q.x[:-1] + turns[:, None]).ravel())
-    inner = breaks[(breaks > start + 2 * SIDE) & (breaks < stop - 2 * SIDE)]
-    ends = np.concatenate([[start], inner, [stop]])
+    row = np.concatenate([_sides(lift, turn) for turn in range(floor(start / TURN), ceil(stop / TURN))])
+    first = np.searchsorted(row[:, 0], start + 2 * SIDE, side="right")
+    inner = row[first : np.searchsorted(row[:, 0], stop - 2 * SIDE)]
+    ends = np.concatenate([[start], inner[::2, 0], [stop]])
     parts = np.ceil(np.diff(ends) / widest).astype(int)
+    if parts.max() == 1:
+        begin, end = _jets(lift, np.array([start + SIDE, stop - SIDE]))
+        jets = np.concatenate([begin[None], inner[:, 1:], end[None]])
+        return np.concatenate([[start], inner[:, 0], [stop]]) + ahead, jets
     span = np.repeat(np.arange(len(parts)), parts)
     part = np.arange(len(span)) - np.repeat(np.cumsum(parts) - parts, parts) + 1
     within = part * (np.diff(ends) / parts)[span] + ends[span]
     inner = np.where(part == parts[span], ends[span + 1], within)[:-1]
     x = np.concatenate([[start], np.repeat(inner, 2), [stop]])
     side = np.concatenate([[SIDE], np.tile([-SIDE, SIDE], len(inner)), [-SIDE]])
-    jets = np.stack([lift.q(x + side, nu=order) for order in range(3)], axis=1)
-    return x + ahead, jets
+    return x + ahead, _jets(lift, x + side)
+
+
+def _jets(lift: PathMotion, theta: Array) -> Array:
+    """Jets of tan(beta) at cam angles, rad, shape (n, 3)."""
+    return np.stack([lift.q(theta, nu=order) for order in range(3)], axis=1)
+
+
+def _sides(lift: PathMotion, turn: int) -> Array:
+    """Cam angles of the lift's own nodes in a turn, rad, each twice, with the jets on either side, shape (2 n, 4).
+
+    Found once for each lift: a search turns one lift ahead again and again.
+    """
+    known = lift.derived
+    if (_sides, turn) not in known:
+        x = np.repeat(lift.q.x[:-1] + TURN * turn, 2)
+        jets = _jets(lift, x + np.tile([-SIDE, SIDE], len(x) // 2))
+        known[_sides, turn] = np.column_stack([x, jets])
+    return known[_sides, turn]
 
 
 def closed_lift(x: Array, jets: Array, blend_start: float) -> PathMotion:
@@ -93,9 +114,11 @@ def closed_lift(x: Array, jets: Array, blend_start: float) -> PathMotion:
         jets: tan(beta) with two derivatives, shape (n, 3).
         blend_start: cam angle at which the closing blend of the result starts, rad.
     """
-    unrolled = quintic_hermite(x, jets, periodic=True)
-    seam = np.stack([unrolled(TURN, nu=order) for order in range(3)])
     late = x > TURN
+    # The piece that holds the seam; after a turn without one the nodes begin at 0.
+    last = int(np.argmax(late)) if late.any() else 1
+    piece = quintic_hermite(x[last - 1 : last + 1], jets[last - 1 : last + 1])
+    seam = np.stack([piece(TURN if late.any() else x[0], nu=order) for order in range(3)])
     nodes = np.concatenate([[0.0], x[late] - TURN, x[~late], [TURN]])
     jets = np.concatenate([[seam], jets[late], jets[~late], [seam]])
     kinks = nodes[:-1][(np.diff(nodes) == 0) & (np.abs(np.diff(jets[:, 1])) > KINK)]

@@ -25,7 +25,7 @@ degrees/s and 1 N that of the paper's cam delays each lead by 0.6 degrees, 3 mm 
 0.3.
 """
 
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 from math import radians
 
 import numpy as np
@@ -203,7 +203,8 @@ class Mechanics:
         # The levers go by the lift alone: cars of all frictions share them.
         key = (levers, self.follower), least_swing
         if key not in lift.derived:
-            lift.derived[key] = np.stack(astuple(levers(lift, self.follower, theta)))
+            at = levers(lift, self.follower, theta)
+            lift.derived[key] = np.stack([at.driving, at.holding, at.along, at.across, at.lift])
         ahead = self._torque(Levers(*lift.derived[key])) > drag
         ahead[first] = ahead[first - 1] = False  # at a fall's ends the lift is level, but for a kink on the other side
         flips = np.flatnonzero(ahead[1:] != ahead[:-1])
