@@ -55,3 +55,12 @@ def test_an_ellipse_in_the_train_gets_no_name():
     found = judged(SEED, list(KINDS).index("universal joint"))
     assert found["wrong"] == []
     assert found["claimed"] == []
+
+
+@pytest.mark.long
+@pytest.mark.slow
+def test_a_bounce_gets_no_name_beside_its_shapes():
+    """Five shapes and an offset of the driven wheel fit it, and so do others without the offset."""
+    found = judged(7, 75)
+    assert found["kind"] == "bounce"
+    assert found["claimed"] == []

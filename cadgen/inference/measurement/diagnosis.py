@@ -43,8 +43,8 @@ from cadgen.inference.measurement.reservations import (
     with_reservations,
 )
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
-from cadgen.inference.measurement.search import Start, best_of, find
-from cadgen.inference.measurement.verdict import Judgement, Verdict, judge
+from cadgen.inference.measurement.search import Start, best_of, find, not_holding
+from cadgen.inference.measurement.verdict import Judgement, Verdict, judge, shapes_of
 from cadgen.messages import Message
 from cadgen.progress import Progress, silent
 
@@ -127,6 +127,14 @@ def weigh_parts(
         joint = replace(joint, parts=tuple(quieter))
         found = find(joint, usual, starts)
     judgement, best = judge(joint, found)
+    if judgement.claimed and shapes_of(best):
+        # What stands for a name, where something has none, is searched for: few subsets without it were fitted.
+        for name in judgement.claimed:
+            progress(Message("{source}: searching without {name}", source=joint.source, name=Message(name)))
+            start = not_holding(best.effects, name), best.active
+            found += [h for h in find(joint, usual, [start], name) if h.effects]
+        found.sort(key=lambda h: h.score)
+        judgement, best = judge(joint, found)
     found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)
     for part in joint.parts:

@@ -178,7 +178,10 @@ class Round:
 
 
 def find(
-    joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None = None, starts: Sequence[Start] = ()
+    joint: Joint,
+    usual: Mapping[Quantity, tuple[float, float]] | None = None,
+    starts: Sequence[Start] = (),
+    without: str | None = None,
 ) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them.
 
@@ -186,9 +189,12 @@ def find(
         joint: the records.
         usual: mean and standard deviation of numbers by their keys over a workshop's cars, internal units.
         starts: subsets to be fitted first, with values to begin from.
+        without: name that no subset is to hold.
     """
     core, named = distinguishable(joint), joint.members
     search = _size(joint, core, usual or {})
+    if without is not None:
+        core, named = not_holding(core, without), not_holding(named, without)
     none = fit(joint, (), [], search)
     fitted = {none.key: none}
     _fit_new(joint, list(starts), fitted, search)
@@ -201,8 +207,8 @@ def find(
         if leader is not best:
             best = about = leader
             # What acts beside another linearises badly, and may look needed where it is not.
-            less = [tuple(e for e in best.effects if e is not beside) for beside in best.effects if beside.beside]
-            _fit_new(joint, [(effects, best.active) for effects in less], fitted, search)
+            fewer = [tuple(e for e in best.effects if e is not beside) for beside in best.effects if beside.beside]
+            _fit_new(joint, [(effects, best.active) for effects in fewer], fitted, search)
         elif about is best and any(e.shape for e in best.effects):
             # An anonymous shape may stand for names, and these are found from what there is without it.
             about = min((h for h in fitted.values() if not any(e.shape for e in h.effects)), key=lambda h: h.score)
@@ -212,6 +218,11 @@ def find(
             break
     _fit_new(joint, list(_within(joint, min(fitted.values(), key=lambda h: h.score))), fitted, search)
     return sorted(fitted.values(), key=lambda h: h.score)
+
+
+def not_holding(effects: Iterable[Effect], name: str) -> tuple[Effect, ...]:
+    """Effects that hold no effect of a name: neither it nor what becomes it, or acts beside it."""
+    return tuple(e for e in effects if name not in {o.name for o in (e, e.includes, e.beside) if o is not None})
 
 
 def best_of(joint: Joint, usual: Mapping[Quantity, tuple[float, float]] | None, starts: Sequence[Start]) -> Hypothesis:

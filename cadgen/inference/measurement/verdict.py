@@ -110,6 +110,8 @@ RIVAL = 5.0
 LOOSE = 16.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
+# And one beside shapes that were fitted by this much for each, as a cam that needs more of them: see `other_cam`.
+BESIDE_A_SHAPE = 10.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
 # RMS over the noise that thousands of rows of noise do not reach.
@@ -269,8 +271,8 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     common = best.claims & sure
     reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
     anonymous = any(e.shape for e in best.effects)
-    if anonymous or _of_several_orders(best):
-        common = _beside_unknown(common, found) if _explained(joint, found, best) >= MOST else frozenset()
+    if shapes := shapes_of(best):
+        common = _beside_shapes(common, found, shapes) if _explained(joint, found, best) >= MOST else frozenset()
     verdict: Verdict
     if not best.effects:
         disagree = any(runs_disagree(part, best) for part in joint.parts)
@@ -300,17 +302,25 @@ def _of_several_orders(best: Hypothesis) -> frozenset[str]:
     return frozenset(e.name for e in best.effects if sorts[e.sort] > 1)
 
 
-def _beside_unknown(names: frozenset[str], found: list[Hypothesis]) -> frozenset[str]:
-    """Names that a form error of any size does not stand for, where a shape that was fitted says that one is there.
+def shapes_of(best: Hypothesis) -> int:
+    """How many shapes a subset has that no name explains: forms without a name, and orders that together make one."""
+    return sum(e.shape or e.name in _of_several_orders(best) for e in best.effects)
+
+
+def _beside_shapes(names: frozenset[str], found: list[Hypothesis], shapes: int) -> frozenset[str]:
+    """Names that neither other shapes nor a form error of any size stand for.
+
+    Where something has no name, what a name does may be a part of it: the more shapes that takes, the more likely.
 
     Args:
         names: to choose from.
         found: the fitted subsets.
+        shapes: how many the best one has.
     """
 
     def needed(name: str) -> bool:
         has = min(h.loose_score for h in found if name in h.holds)
-        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_UNKNOWN
+        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_A_SHAPE * shapes
 
     return frozenset(filter(needed, names))
 
