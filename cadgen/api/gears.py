@@ -137,7 +137,8 @@ class Gear(Stated, OnePart, Pictured):
         name: name of the gear and its files.
 
     Raises:
-        DesignError: a number out of its range, a tooth that cannot be cut, or features that leave too thin a wall.
+        DesignError: a number out of its range, a tooth that cannot be cut, or features that leave too thin a wall;
+            without a thickness deviation, which moves the root, the last only where the gear, its pair or set is used.
 
     Example:
         >>> from cadgen import Gear
@@ -217,7 +218,10 @@ class Gear(Stated, OnePart, Pictured):
         self.overrides  # noqa: B018
         if self.tolerances is not None:  # a copy, so that no change of the caller's changes a gear that is made
             object.__setattr__(self, "tolerances", Frozen(self.tolerances))
-        self.part  # noqa: B018
+        if self.thickness_deviation is None:
+            self.form.outline  # noqa: B018
+        else:
+            self.part  # noqa: B018
 
     @cached_property
     def form(self) -> GearForm:
@@ -463,8 +467,8 @@ class GearPair(Stated, _ByNumbers):
                 "backlash is not given; give it in mm, or bearing_span in mm, for which the teeth are then thinned by "
                 "their tolerance grade"
             )
-        for gear in (self.cut.driver, self.cut.driven):
-            tooth_of(gear.form)
+        for gear, form in zip((self.pinion, self.wheel), self.cut.wheels, strict=True):
+            gear_body(form, gear.blank)
 
     @cached_property
     def nominal(self) -> spur.SpurPair:

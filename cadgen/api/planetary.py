@@ -95,7 +95,8 @@ class Planetary(Stated, _ByNumbers):
         real("clearance", self.clearance, 0, 100, "mm", above=True)
         real("bearing_span", self.bearing_span, 0, 5000, "mm", above=True)
         require_name(self.name)
-        self.cut  # noqa: B018
+        for given, cut in ((self.sun, self.cut.sun), (self.planet, self.cut.planet), (self.ring, self.cut.ring)):
+            gear_body(cut.form, None if given is None else given.blank)
 
     @property
     def ring_teeth(self) -> int:

@@ -6,6 +6,7 @@ import json
 import sys
 import tomllib
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import degrees, radians
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -422,17 +423,7 @@ def pair(
         {"teeth": count, "internal": number == ring, "hand": of, "double": double, "tolerances": free}
         for number, (count, of) in enumerate(zip(counts, hands, strict=True))
     ]
-    try:
-        gears = [Gear(**own, **each) for own, each in zip(teeth_of, arguments, strict=True)]
-    except DesignError:
-        bodiless = [
-            {name: value for name, value in each.items() if name not in ("bore", "keyway")} for each in arguments
-        ]
-        solid = [Gear(**own, **each) for own, each in zip(teeth_of, bodiless, strict=True)]
-        _refuse_as_cut(
-            GearPair(*solid, backlash=_backlash(solid, backlash_um, backlash_deg, common), **common), arguments
-        )
-        raise
+    gears = [Gear(**own, **each) for own, each in zip(teeth_of, arguments, strict=True)]
     if toml:
         text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
         click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
@@ -601,24 +592,8 @@ def _backlash(gears: Sequence[Gear], in_um: float | None, in_deg: float | None, 
 
     if in_deg is None:
         return None if in_um is None else in_um * 1e-3
-    return radians(in_deg) * GearPair(*gears, **common).nominal.driven_pitch_radius
-
-
-def _refuse_as_cut(solid: GearPair, arguments: Sequence[Named]) -> None:
-    """Refuse bores by the teeth as cut, whose roots lie deeper by their thinning.
-
-    Args:
-        solid: pair without bores.
-        arguments: arguments of its gears, with their bores.
-
-    Raises:
-        DesignError: a bore or its keyway does not fit.
-    """
-    from cadgen.gears.wheel_body import gear_body
-    from cadgen.parts.blank import Blank
-
-    for gear, each in zip((solid.cut.driver, solid.cut.driven), arguments, strict=True):
-        gear_body(gear.form, Blank(bore_diameter=each.get("bore", 0.0), key=each.get("keyway")))
+    solid = (replace(gear, bore=0.0, keyway=None) for gear in gears)  # bores are judged by the teeth as cut
+    return radians(in_deg) * GearPair(*solid, **common).nominal.driven_pitch_radius
 
 
 def _make(

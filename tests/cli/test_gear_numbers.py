@@ -3,10 +3,11 @@
 import json
 import re
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from cadgen import Design
+from cadgen import Design, Gear, GearPair, Planetary
 from cadgen.cli import cli
 from cadgen.errors import DesignError
 
@@ -115,6 +116,44 @@ def test_the_largest_bore_of_a_pair_is_that_of_the_teeth_as_cut(tmp_path, backla
     assert run(*asked, "--bore", f"{largest},8").exit_code == 0
     with pytest.raises(DesignError, match="keep it within"):
         run(*asked, "--bore", f"{largest + 0.01:.2f},8")
+
+
+def test_a_gear_a_pair_and_a_set_judge_bores_by_the_root_as_cut():
+    """A rack that cuts deeper by s leaves teeth thinner by 2 s tan α, and a root s deeper: d_f + E_sn / tan α."""
+    sizes = {"module": 1, "width": 8}
+
+    def largest(made):
+        """Root that a refusal names, and the bore that it allows, once this and no more is accepted."""
+        with pytest.raises(DesignError, match="keep it within") as refused:
+            made(15.9)
+        root, bore = re.search(r"root of ([\d.]+) mm; keep it within ([\d.]+) mm", str(refused.value)).groups()
+        with pytest.raises(DesignError, match="keep it within"):
+            made(float(bore) + 0.01)
+        return made(float(bore)), float(root)
+
+    def gear(bore, deviation=-0.1):
+        return Gear(teeth=20, bore=bore, thickness_deviation=deviation, **sizes)
+
+    def pair(bore):  # further apart than nominal teeth without play: these are thicker
+        wheel = Gear(teeth=40, bore=8, **sizes)
+        return GearPair(Gear(teeth=20, bore=bore, **sizes), wheel, backlash=0.02, centre_distance=30.2)
+
+    def planetary(bore):
+        planet = Gear(teeth=20, bore=bore, **sizes)
+        return Planetary(Gear(teeth=20, **sizes), planet, planets=4, backlash=0.2)
+
+    deviations = []
+    for made, form in (
+        (gear, lambda gear: gear.form),
+        (pair, lambda pair: pair.cut.driver.form),
+        (planetary, lambda planetary: planetary.cut.planet.form),
+    ):
+        fitted, root = largest(made)
+        deviations.append(form(fitted).tooth_thickness_deviation)
+        assert root == pytest.approx(20 - 2 * 1.25 + deviations[-1] / np.tan(np.radians(20)), abs=6e-3)
+    assert deviations[0] < 0 < deviations[1] and deviations[2] < 0
+    with pytest.raises(DesignError, match="keep it within"):
+        gear(15.9, None).part  # noqa: B018
 
 
 def test_a_pair_says_the_range_of_its_play_as_its_design_file_does(tmp_path):

@@ -66,8 +66,8 @@ def test_dxf_and_facts_have_the_flats(tmp_path):
 
 def test_corners_of_a_bore_stay_under_the_root():
     with pytest.raises(DesignError, match=r"bore that reaches to 9\.238 mm .* keep it within 7\.25 mm"):
-        Gear(teeth=12, module=1, width=5, bore=8, keyway=Flats(count=6))
-    Gear(teeth=12, module=1, width=5, bore=7.25 * sqrt(3) / 2, keyway=Flats(count=6))
+        Gear(teeth=12, module=1, width=5, bore=8, keyway=Flats(count=6)).build123d()
+    Gear(teeth=12, module=1, width=5, bore=7.25 * sqrt(3) / 2, keyway=Flats(count=6)).build123d()
     with pytest.raises(DesignError, match=r"at most 1\.5"):
         # A flat of a hexagon is across · tan 30° wide.
         Gear(
@@ -75,7 +75,7 @@ def test_corners_of_a_bore_stay_under_the_root():
             bore=4,
             keyway=Flats(count=6),
             hub=Hub(diameter=9, length=8, set_screw=SetScrew(diameter=2, height=4)),
-        )
+        ).build123d()
     assert 4 * tan(pi / 6) - 0.8 == pytest.approx(1.509, abs=1e-3)
 
 
@@ -126,4 +126,4 @@ def test_flags_of_flats(tmp_path):
 @pytest.mark.parametrize("key", [Flats(count=4), DFlat(depth=0.5), Keyway(width=1.0, depth=0.5)])
 def test_flats_without_a_bore_are_refused(key):
     with pytest.raises(DesignError, match="and no bore; give bore_diameter_mm, such as 5"):
-        Gear(**PLAIN, keyway=key)
+        Gear(**PLAIN, keyway=key).build123d()
