@@ -17,6 +17,8 @@ _MARKS = (r"\s*[;\t|]\s*", r"\s*,\s*", r"\s+")
 _STATED = {"mm": ("mm", 1.0), "inch": ("mm", 25.4), "deg": ("deg", 1.0)}
 # Units that a column may have, as messages name them.
 _IN_THEIR_WORDS = {"mm": "mm, um, in", "deg": "deg, rad", "N": "N, kN", "Nm": "N·mm, Nm"}
+# What a title calls all of a table, or its second column.
+_OF_TABLE = r"^(all|alle)|lift|stroke|hub|rise|swing|force|load|moment|torque|units?$|sizes?$|dimension|升程|行程|单位"
 _RADIUS = ("radius", "radii", "rayon", "halbmesser", "半径", "向径", "矢径", "极径")
 
 
@@ -202,13 +204,27 @@ def _units(words: Sequence[str], remark: str) -> tuple[str, str]:
         named = (heading(cells[0]).unit, heading(cells[1]).unit)
         units = bare if first and first[0] == "deg" and unit_of(bare[1]) else named
         # Brackets of a title above the names of the columns are no units.
-        if any(units) and (number == 0 or all(unit_of(unit) for unit in units if unit)):
+        known = number == 0 or all(unit_of(unit) for unit in units if unit)
+        if any(units) and known and not _is_title(cells, units):
             return units
     # Programs write the names as a remark, too: a line of two names with a known unit each, and nothing else.
     cells = _two(remark) if not re.search(r"\d", remark) else ("", "")
     units = (heading(cells[0]).unit, heading(cells[1]).unit)
     first = unit_of(units[0])
     return units if first and first[0] == "deg" and unit_of(units[1]) else ("", "")
+
+
+def _is_title(cells: tuple[str, str], units: tuple[str, str]) -> bool:
+    """Whether a line of two clauses speaks of units, as `Cam in mm, not inches` does, and is none of columns."""
+    from cadgen.inference.records.units import denied, heading, unit_of
+
+    if any(re.search(r"[\])]\s*$", cell) for cell in cells):
+        return False
+    first, second = (unit_of(unit) for unit in units)
+    if first and first[0] != "deg":
+        return True
+    named = re.search(_OF_TABLE, heading(cells[1]).quantity)
+    return bool(second) and (denied(cells[1].removesuffix(units[1])) or not (first or named))
 
 
 def _two(line: str) -> tuple[str, str]:

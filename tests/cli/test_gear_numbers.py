@@ -151,7 +151,8 @@ def test_a_gear_a_pair_and_a_set_judge_bores_by_the_root_as_cut():
         fitted, root = largest(made)
         deviations.append(form(fitted).tooth_thickness_deviation)
         assert root == pytest.approx(20 - 2 * 1.25 + deviations[-1] / np.tan(np.radians(20)), abs=6e-3)
-    assert deviations[0] < 0 < deviations[1] and deviations[2] < 0
+    assert deviations[0] < 0 < deviations[1]
+    assert deviations[2] < 0
     with pytest.raises(DesignError, match="keep it within"):
         gear(15.9, None).part  # noqa: B018
 

@@ -5,7 +5,7 @@ A column of a kind of data is called by its quantity and its unit, such as `x_mm
 """
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 # Unit of the columns -> units that can stand in its place, with their factors.
@@ -77,6 +77,18 @@ _QUANTITIES: dict[str, tuple[str, ...]] = {
 }
 _WIDE = str.maketrans("（）［］【】／", "()[][]/")
 _ALSO_WORDS = ("in", "m", "ft")  # of languages, or letters, which in a sentence are no units
+# A word that may be a unit, not behind a number, or a sign of inches behind a name.
+_WORD = re.compile(
+    r"(?P<word>(?<![^\W\u4e00-\u9fff])(?<!\.)(?<!\d )(?<!\d-)[^\W\d_\u4e00-\u9fff]+(?![^\W\u4e00-\u9fff]|-)"
+    r"|毫米|英寸|厘米|微米)"
+    r'|(?<=[^\W\d_])\s*(?P<sign>["″])\s*(?:[,;\t|)]|$)'
+)
+_DENIED = re.compile(
+    r"(\b(not|no|never|non|nicht|keine?n?|from|was|were|without|ohne|statt|pas|aus|instead of)\s+((in|en|the|den)\s+)?"
+    r"|(不是|并非|而非|非|不用|由|从)\s*)$",
+    re.I,
+)
+_OF_LIFT = re.compile(r"(\b(lifts?|strokes?|hub)\s*(in|[:\[(])?|(升程|行程)(的?单位)?[为是:：(（]?)\s*$", re.I)
 _MEANT = {other: quantity for quantity, others in _QUANTITIES.items() for other in others}
 TIMES = ("t", "time", "timestamp", "seconds", "zeit", "时间")
 # Cells of a point that was lost, in small letters.
@@ -144,19 +156,41 @@ def heading(name: str) -> ColumnName:
 def other_length(sentences: Sequence[str]) -> tuple[int, str] | None:
     """First sentence that says another unit of length than mm, counted from 1, and its word; None if none does.
 
-    What stands behind a number is a size, such as that of a roller, and no unit of what a table holds.
+    What stands behind a number is a size, such as that of a roller, and no unit of what a table holds. A unit that is
+    denied, as in `not inches`, is none; where several are left, that of the lift counts, and else all of them.
 
     Args:
         sentences: titles and remarks of a table.
     """
-    for number, text in enumerate(sentences, 1):
-        plain = re.sub(r'"([^"]*)"', r"\1", text)
-        said = re.findall(r"(?<![\w.])(?<!\d )(?<!\d-)([^\W\d_]+)(?![\w-])", plain)
-        said += re.findall(r"英寸|厘米|微米", plain) + re.findall(r'[^\W\d_]\s*(["″])\s*(?:[,;\t|)]|$)', plain)
-        lengths = [word for word in said if word.lower() not in _ALSO_WORDS and (unit_of(word) or ("", 1.0))[0] == "mm"]
-        if lengths and "mm" not in lengths:
-            return number, lengths[0]
-    return None
+    said = [
+        (number, word, factor, bool(_OF_LIFT.search(before)), denied(before))
+        for number, text in enumerate(sentences, 1)
+        for before, word, factor in _lengths(text)
+    ]
+    meant = [each for each in said if not each[-1]]
+    meant = [each for each in meant if each[-2]] or meant
+    if not meant:  # mm, and that it is not, leaves what it is
+        meant = [(number, f"not {word}", 0.0, lift, no) for number, word, factor, lift, no in said if factor == 1.0]
+    return next(((number, word) for number, word, factor, _, _ in meant if factor != 1.0), None)
+
+
+def denied(before: str) -> bool:
+    """Whether the words before a unit deny it, as in `not inches` or `converted from inches`.
+
+    Args:
+        before: text that ends where the unit begins.
+    """
+    return _DENIED.search(before) is not None
+
+
+def _lengths(text: str) -> Iterator[tuple[str, str, float]]:
+    """Units of length in a sentence: text before each, its word, its factor to mm."""
+    plain = re.sub(r'"([^"]*)"', r"\1", text)
+    for match in _WORD.finditer(plain):
+        word = match["word"] or match["sign"]
+        found = unit_of(word)
+        if found and found[0] == "mm" and word.lower() not in _ALSO_WORDS:
+            yield plain[: match.start()], word, found[1]
 
 
 def _quantity(text: str) -> str:
