@@ -110,8 +110,6 @@ RIVAL = 5.0
 LOOSE = 16.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
-# And one beside shapes that were fitted by this much for each, as a cam that needs more of them: see `other_cam`.
-BESIDE_A_SHAPE = 10.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
 # RMS over the noise that thousands of rows of noise do not reach.
@@ -310,7 +308,8 @@ def shapes_of(best: Hypothesis) -> int:
 def _beside_shapes(names: frozenset[str], found: list[Hypothesis], shapes: int) -> frozenset[str]:
     """Names that neither other shapes nor a form error of any size stand for.
 
-    Where something has no name, what a name does may be a part of it: the more shapes that takes, the more likely.
+    Where something has no name, what a name does may be a part of it: the more shapes that takes, the more likely. So
+    what has no such name must be no rival, by `RIVAL` for each shape.
 
     Args:
         names: to choose from.
@@ -320,7 +319,7 @@ def _beside_shapes(names: frozenset[str], found: list[Hypothesis], shapes: int) 
 
     def needed(name: str) -> bool:
         has = min(h.loose_score for h in found if name in h.holds)
-        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_A_SHAPE * shapes
+        return min(h.loose_score for h in found if name not in h.holds) >= has + RIVAL * shapes
 
     return frozenset(filter(needed, names))
 
