@@ -205,9 +205,12 @@ def _best_with_friction(
 
     tried = np.linspace(0.0, band[1], _COARSE)
     best = int(np.argmin([worst(float(made_for)) for made_for in tried]))
-    around = float(tried[max(best - 1, 0)]), float(tried[min(best + 1, _COARSE - 1)])
-    fine = minimize_scalar(worst, bounds=around, method="bounded", options={"xatol": _FINE})
-    made_for = min(float(fine.x), float(tried[best]), key=worst)
+    made_for = float(tried[best])
+    low, high = float(tried[max(best - 1, 0)]), float(tried[min(best + 1, _COARSE - 1)])
+    # A worst end that falls up to an end of the range is least there.
+    if low < made_for < high or worst(min(max(made_for, low + _FINE), high - _FINE)) < worst(made_for):
+        fine = minimize_scalar(worst, bounds=(low, high), method="bounded", options={"xatol": _FINE})
+        made_for = min(float(fine.x), made_for, key=worst)
     if len(cars) > 1:
         # Where the cars differ little, as one that was measured, they are one known car and those about it.
         middle = replace(
