@@ -21,6 +21,7 @@ def judged_together(
     least_rows: int = _LEAST_ROWS,
     most_rows: int = MOST_ROWS,
     counts: int = 0,
+    beside: tuple[Column, ...] = (),
 ) -> Kind:
     """Kind of which records are judged together, without effects to choose from.
 
@@ -28,7 +29,7 @@ def judged_together(
         code, title: as of a kind.
         columns: of a file.
         reading: place of the column that the instrument reads.
-        least_rows, most_rows, counts: as of a kind.
+        least_rows, most_rows, counts, beside: as of a kind.
     """
     return Kind(
         code=code,
@@ -40,6 +41,7 @@ def judged_together(
         least_rows=least_rows,
         most_rows=most_rows,
         counts=counts,
+        beside=beside,
         nearness=0,
     )
 
@@ -47,18 +49,22 @@ def judged_together(
 _ANGLES = tuple(
     Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("input_angle_deg", "output_angle_deg")
 )
-TRAIN = judged_together("train", "Transmission of a train", _ANGLES)
+# Times tell a lag between both readings from play, where the speed changes.
+_TIME = Column(name="t_s", lower=-1e12, upper=1e12)
+TRAIN = judged_together("train", "Transmission of a train", _ANGLES, beside=(_TIME,))
 LOADED_TRAIN = judged_together(
     "loaded train",
     "Transmission of a train under load",
     (*_ANGLES, Column(name="output_torque_Nm", lower=-_MOST_NM, upper=_MOST_NM)),
     reading=1,
+    beside=(_TIME,),
 )
 # Angles by the names that a car has for them.
 MOTOR_AND_CAM = judged_together(
     "train of a camshaft",
     "Transmission of a train to its camshaft",
     tuple(Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("motor_angle_deg", "cam_angle_deg")),
+    beside=(_TIME,),
 )
 KINDS = (TRAIN, LOADED_TRAIN, MOTOR_AND_CAM)
 
@@ -76,8 +82,10 @@ def one_of(records: tuple[Record, ...]) -> Record:
     for record in records:
         columns = dict(record.columns)
         if record.kind is MOTOR_AND_CAM:
-            columns = {"input_angle_deg": columns["motor_angle_deg"], "output_angle_deg": columns["cam_angle_deg"]}
+            columns["input_angle_deg"] = columns.pop("motor_angle_deg")
+            columns["output_angle_deg"] = columns.pop("cam_angle_deg")
         columns.setdefault("output_torque_Nm", np.zeros(len(record.run)))
+        columns.setdefault("t_s", np.full(len(record.run), np.nan))
         same.append(
             Record(
                 kind=LOADED_TRAIN,

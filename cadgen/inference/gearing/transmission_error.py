@@ -3,9 +3,10 @@
 The transmission error is the output angle less the input angle over the ratio, TE = θ_out − θ_in/i. At the forward
 flanks (side s = +1) the input pushes the output forward; at the others s = −1. The model is linear in
 
-    TE = zero of the run + rate·θ − s·B/2 + T/k − d·h + Σ lines at their orders, by side,
+    TE = zero of the run + rate·θ − s·B/2 + T/k − d·h − τ·dθ/dt + Σ lines at their orders, by side,
 
-with play B, torque T of the output, stiffness k, and h the wind-up by friction, which is against the motion d. Without
+with play B, torque T of the output, stiffness k, and h the wind-up by friction, which is against the motion d. A lag τ
+of the output's reading, or drag, is told from play where times stand beside the angles and the speed changes. Without
 load the side goes by the motion, and B and 2h are one number. Under load it goes by the torque, and h is seen alone.
 
 Lines are chosen one by one while each explains more than noise does, by an F-test with a limit for all that were tried;
@@ -40,6 +41,7 @@ _AT_FIRST = 0.25  # the same while the friction, which holds against it, is not 
 _PASSES = 3
 _LEAST_USED = 12  # rows
 _TOLD = 1e-6  # share of a column that the others do not hold
+_BENT = 1e-3  # of a slow shaft's wave that zero and rate do not hold, rms
 _HELD = 1e-6  # rad at the output, within which the input is held
 _UNNAMED = 3  # lines of no part that are looked for
 _ROUNDS = 8
@@ -57,6 +59,7 @@ class TrainReadings:
         nominal: output angle that the ratio gives from the input.
         error: transmission error.
         torque: at the output, positive where it turns it forward.
+        speed: of the output by the input, rad/s; nan without times.
         motion: sense of the motion, 1 or −1: of the input, or of the torque while the input is held.
         held: whether the input is held.
         side: flanks in contact, 1 where the input pushes the output forward, else −1.
@@ -70,6 +73,7 @@ class TrainReadings:
     nominal: Array
     error: Array
     torque: Array
+    speed: Array
     motion: Array
     held: NDArray[np.bool_]
     side: Array
@@ -148,6 +152,8 @@ class TrainErrors:
         loaded: whether loads tell play and friction apart.
         compliance: 1/k, rad per N m; None without load.
         friction: h; None where it shows nothing.
+        lag: time by which the output is read later than the input, or drag that looks like it, s; None where it does
+            not show.
         rate: share by which the output turns faster than the ratio says.
         lines: lines that explain more than noise, those with a name first.
         noise: standard deviation of a reading, and its likeness to the row before.
@@ -165,6 +171,7 @@ class TrainErrors:
     loaded: bool
     compliance: Estimate | None
     friction: Estimate | None
+    lag: Estimate | None
     rate: Estimate
     lines: tuple[OrderLine, ...]
     noise: float
@@ -223,6 +230,7 @@ def readings_of(record: Record, train: SeenTrain, widest: float) -> TrainReading
         nominal=nominal,
         error=output - nominal,
         torque=torque,
+        speed=_speed(nominal, record),
         motion=motion,
         held=held,
         side=motion,
@@ -231,6 +239,17 @@ def readings_of(record: Record, train: SeenTrain, widest: float) -> TrainReading
     )
     # A steady load decides the side as one that changes does: it is not the load that changes that matters.
     return _by_load(readings, None) if torque.any() else readings
+
+
+def _speed(nominal: Array, record: Record) -> Array:
+    """Speed of the output by its neighbours in time, rad/s; nan without times, or where they do not grow."""
+    time = record["t_s"]
+    speed = np.full(len(nominal), np.nan)
+    for rows in record.parts:
+        t, q = time[rows], nominal[rows]
+        if len(t) > 2 and (np.diff(t) > 0).all():
+            speed[rows] = np.gradient(q, t)
+    return speed
 
 
 def _by_load(readings: TrainReadings, friction: float | None) -> TrainReadings:
@@ -263,6 +282,7 @@ def _senses(values: Array) -> tuple[Array, Array]:
         step = steps[k - 1]
         if abs(step) > least and np.sign(step) != last:
             turn, last = values[k - 1], float(np.sign(step))
+            way[k - 1] = 0.0  # the turning point may lie before this row
         sense[k], way[k] = last, abs(values[k] - turn)
     sense[0] = sense[1] if len(sense) > 1 else 0.0
     return sense, way
@@ -424,12 +444,27 @@ def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
         return np.hstack([wave, side[:, None] * wave]) if both else wave
 
     candidates, slow, fast = _candidates(readings, train)
+    # The part of a turn of a slow shaft's run-out, which else leaks into orders of no part.
+    for shaft in slow:
+        basis = np.linalg.qr(np.hstack(list(base.values())))[0]
+        wave = np.stack([np.cos(shaft.order * theta), np.sin(shaft.order * theta)], axis=1)
+        own = wave - basis @ (basis.T @ wave)
+        directions, sizes = np.linalg.svd(own, full_matrices=False)[:2]
+        if (told := directions[:, sizes > _BENT * np.sqrt(len(theta))]).size:
+            base[f"part of shaft {shaft.number}"] = told
     wide = 4 if both else 2
     room = max(int(_COLUMNS * len(error)) // wide, 1)
     candidates = candidates[:room]
     plain = np.hstack(list(base.values()))
     waves = {each.order: columns_of(each.order) for each in candidates}
-    likeness = _likeness(np.hstack([plain, *waves.values()]), error, start)
+    whole = np.hstack([plain, *waves.values()])
+    likeness = _likeness(whole, error, start)
+    if (speed := readings.speed[used]).size and np.isfinite(speed).all():
+        late = -speed[:, None]
+        if _shows(late, whole, error, start, likeness):
+            base["lag"] = late
+            plain = np.hstack(list(base.values()))
+            likeness = _likeness(np.hstack([plain, *waves.values()]), error, start)
     chosen: list[float] = []
     unnamed: list[_Candidate] = []
     for _ in range(_ROUNDS):
@@ -500,6 +535,7 @@ def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
         loaded=play is not None and friction is not None,
         compliance=estimate("torque"),
         friction=friction,
+        lag=estimate("lag"),
         rate=rate,
         lines=tuple(sorted(lines, key=lambda line: (not line.named, -line.size))),
         noise=float(np.sqrt(fit.squares / fit.free / max(1 - likeness**2, 1e-3))),
@@ -511,6 +547,15 @@ def _fitted(readings: TrainReadings, train: SeenTrain) -> TrainErrors:
         repeats=_repeating(left, theta, side, run),
         residual=residual,
     )
+
+
+def _shows(column: Array, others: Array, values: Array, start: NDArray[np.bool_], likeness: float) -> bool:
+    """Whether a column explains more than noise beside others, by the F-test of a single one."""
+    white, rest = _whitened(values[:, None], start, likeness)[:, 0], _whitened(others, start, likeness)
+    without = _least_squares(rest, white)
+    with_it = _least_squares(np.hstack([rest, _whitened(column, start, likeness)]), white)
+    gain = max(without.squares - with_it.squares, 0.0)
+    return bool(fisher.sf(gain / max(with_it.squares / with_it.free, 1e-300), 1, with_it.free) < CHANCE)
 
 
 def _with_causes(

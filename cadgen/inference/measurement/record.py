@@ -140,6 +140,7 @@ class Kind:
         of_design: whether the car is the design's, so that a remark that names another is a warning.
         abscissa: of its picture.
         plan_view: whether its picture shows the path in plan view instead of a spectrum.
+        beside: columns that are read, too, where a file has them.
     """
 
     code: str
@@ -166,6 +167,7 @@ class Kind:
     of_design: bool = True
     abscissa: Abscissa = Abscissa.CAM_ANGLE
     plan_view: bool = False
+    beside: tuple[Column, ...] = ()
 
     def __str__(self) -> str:
         return self.code

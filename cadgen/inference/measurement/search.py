@@ -101,6 +101,7 @@ class Families:
         self.groups = [
             self._alike(sort[0], np.array([i for i, s in enumerate(sorts) if s == sort], dtype=np.intp))
             for sort in sorted(set(sorts))
+            if sort[0]  # over a short part of a turn a family has no member that shows
         ]
 
     def _alike(self, width: int, which: Index) -> Alike:

@@ -76,6 +76,7 @@ def match_columns(names: Sequence[str], name: str, known: Sequence[Kind], readin
     found: list[tuple[int, Match]] = []
     for kind in known:
         places = {column: place for column in kind.header if (place := _place(column, names, headings, pinned, name))}
+        places |= _beside(kind, names, headings)
         scaled = _by_motor(kind, places, headings, reading)
         needed = {column.name for column in kind.columns} | ({kind.key} if kind.method is Method.ZONE_MEANS else set())
         if needed <= (places | scaled).keys():
@@ -172,6 +173,17 @@ def _place(
             column=column,
         )
     return places[0] if places else None
+
+
+def _beside(kind: Kind, names: Sequence[str], headings: Sequence[ColumnName]) -> dict[str, ColumnPlace]:
+    """Places of columns that need not be there, where one column alone can be each."""
+    found = {}
+    for column in kind.beside:
+        asked = heading(column.name)
+        each = [n for n, has in enumerate(headings) if has.quantity == asked.quantity and _factor(has, asked)]
+        if len(each) == 1:
+            found[column.name] = ColumnPlace(each[0], _factor(headings[each[0]], asked) or 1.0)
+    return found
 
 
 def _factor(has: ColumnName, asked: ColumnName) -> float | None:

@@ -11,6 +11,7 @@ it they ran as designed.
 import hashlib
 import re
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from math import degrees, radians
 from pathlib import Path
@@ -87,7 +88,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     kind = match.kind
     table = with_numbers(table, [match.places[column.name].index for column in kind.columns if not column.words])
     if not kind.counts:
-        table = each_once(table, [place.index for place in match.places.values()])
+        table = each_once(table, [match.places[c].index for c in kind.header if c in match.places])
     refuse_many(kind, len(table.lines), name)
     columns: dict[str, NDArray[np.generic]] = {}
     for column in kind.columns:
@@ -99,6 +100,11 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
             columns[column.name] = _words(words, column, table.lines, name)
         else:
             columns[column.name] = _numbers(cells, column, table.lines, name, place.factor)
+    for column in kind.beside:
+        # Times of day and the like are passed over.
+        with suppress(KeyError, FileError):
+            place = match.places[column.name]
+            columns[column.name] = _numbers(table.columns[place.index], column, table.lines, name, place.factor)
     key = match.places.get(kind.key)
     keys = np.array([str(block) for block in table.blocks] if key is None else table.columns[key.index])
     if key is None:

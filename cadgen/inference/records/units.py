@@ -56,6 +56,7 @@ _QUANTITIES: dict[str, tuple[str, ...]] = {
     "inputangle": ("input", "eingang", "eingangswinkel", "输入", "输入角", "输入转角", "输入角度"),
     "outputangle": ("output", "ausgang", "ausgangswinkel", "输出", "输出角", "输出转角", "输出角度"),
     "outputtorque": ("torque", "load", "moment", "drehmoment", "last", "转矩", "扭矩", "力矩", "负载"),
+    "t": ("time", "timestamp", "zeit", "时间"),
     "x": ("xpos", "posx", "xposition", "positionx", "xcoord", "xcoordinate", "xwert", "x坐标", "坐标x"),
     "y": ("ypos", "posy", "yposition", "positiony", "ycoord", "ycoordinate", "ywert", "y坐标", "坐标y"),
     "lift": (
@@ -90,7 +91,7 @@ _DENIED = re.compile(
 )
 _OF_LIFT = re.compile(r"(\b(lifts?|strokes?|hub)\s*(in|[:\[(])?|(升程|行程)(的?单位)?[为是:：(（]?)\s*$", re.I)
 _MEANT = {other: quantity for quantity, others in _QUANTITIES.items() for other in others}
-TIMES = ("t", "time", "timestamp", "seconds", "zeit", "时间")
+TIMES = ("t", "seconds")
 # Cells of a point that was lost, in small letters.
 MISSING = frozenset(
     (

@@ -208,6 +208,8 @@ class MeasuredTrainPlan:
         if self.play is not None:
             least, most = self.play.return_error_min, self.play.return_error_max
             facts |= Facts(play_least_deg=degrees(least), play_most_deg=degrees(most))
+        if e.lag is not None:
+            facts |= Facts(lag_ms=1e3 * e.lag.value, lag_sigma_ms=1e3 * e.lag.sigma)
         if e.compliance is not None:
             facts |= Facts(wind_up_deg_per_Nm=degrees(e.compliance.value), wind_up_sigma=degrees(e.compliance.sigma))
         if e.friction is not None:
@@ -382,6 +384,10 @@ def _rows(plan: MeasuredTrainPlan) -> list[tuple[Cell | str, ...]]:
     if e.friction is not None and e.friction.clear:
         name = Message("lag where the sense turns") if _steady(e) else Message("hysteresis by friction")
         rows.append(_row(name, 2 * e.friction.value, 2 * e.friction.sigma))
+    if e.lag is not None and e.lag.clear:
+        fastest = float(np.nanmax(np.abs(e.readings.speed)))
+        of_time = Message("{time:.2f} ms, at the greatest speed", time=1e3 * e.lag.value)
+        rows.append(_row(Message("lag or drag"), e.lag.value * fastest, e.lag.sigma * fastest, of_time))
     if e.compliance is not None and e.compliance.clear:
         stiff = Message("{stiffness:.4g} N m/°", stiffness=1 / degrees(e.compliance.value))
         rows.append(_row(Message("wind-up for 1 N m"), e.compliance.value, e.compliance.sigma, stiff))
@@ -510,6 +516,13 @@ def _sentences(plan: MeasuredTrainPlan) -> list[Message]:
             Message(
                 "The output runs ahead after each turn, which no play does: the angle of the input is read later than "
                 "that of the output; read both at once, or slowly."
+            )
+        )
+    elif e.play is not None and e.play.clear and not e.loaded and e.lag is not None:
+        said.append(
+            Message(
+                "What grows with the speed is a lag of the output's reading, or drag, told from play by the times. "
+                "Without load the play holds the wind-up by friction: load both ways to tell them apart."
             )
         )
     elif e.play is not None and e.play.clear and not e.loaded:
