@@ -82,9 +82,11 @@ def formula_checks(
 def _failing(motion: Motion, follower: Follower, contact: Contact, curve: ClosedCurve) -> Iterator[Check]:
     theta = contact.cam_angle
     place = follower.place(contact) % TURN
-    (jet, owner), (before, behind), (after, ahead) = (
-        curve.at_angle((place + way) % TURN) for way in (0, -_BESIDE, _BESIDE)
-    )
+    # All at once, since each look-up begins with a table of the whole curve.
+    ways = np.array([[0.0], [-_BESIDE], [_BESIDE]])
+    jets, owners = curve.at_angle((place + ways).ravel() % TURN)
+    jet, before, after = (Jet(*columns) for columns in zip(*(np.split(column, 3) for column in jets), strict=True))
+    owner, behind, ahead = np.split(owners, 3)
     inside = (owner == behind) & (owner == ahead)
     back = np.exp(-1j * (theta + follower.azimuth))
     point: Complex = (jet.point @ [1, 1j]) * back
