@@ -130,7 +130,8 @@ def pictures(folder: Path) -> Iterator[tuple[str, Any]]:
 
 def _laps(left: Any, right: Any) -> None:
     """Draw ten laps of the packaged figure 8 at the greatest play of its band, with the plain and the optimized cam."""
-    free = {"mechanics": None, "optimize.hardware": None, "tolerances.start_gap_deg": None}  # no brake, and no friction
+    # No brake, and no friction.
+    free = {"mechanics": None, "blank.material": None, "optimize.hardware": None, "tolerances.start_gap_deg": None}
     simulation = Design.load("figure_eight", free).simulate("optimized", GREATEST_PLAY_DEG)
     runs = simulation.computed
     for axes, name, run, colour in (

@@ -45,7 +45,7 @@ _MINIMAL: Tables = {
 }
 
 # Changes to packaged cars that leave them neither brake nor trim nor friction: their best cam is one against play.
-UNBRAKED = ("mechanics=", "optimize.hardware=", "tolerances.start_gap_deg=")
+UNBRAKED = ("mechanics=", "blank.material=", "optimize.hardware=", "tolerances.start_gap_deg=")
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 TRICYCLE = Path(__file__).parent.parent / "docs" / "examples" / "cadgen-tricycle"

@@ -32,8 +32,12 @@ AWAY: dict[str, tuple[int, ...]] = {
     "g": (2, 4, 5, 6, 7, 9),
     "h": (0, 0, 0, 0, 0, 0),
 }
-# Upper deviation of a tight groove, um.
-GROOVES: dict[str, tuple[int, ...]] = {"N9": (-4, 0, 0, 0, 0, 0), "P9": (-6, -12, -15, -18, -22, -26)}
+# Upper deviation of a tight groove or bore, um.
+TIGHT: dict[str, tuple[int, ...]] = {
+    "N9": (-4, 0, 0, 0, 0, 0),
+    "P9": (-6, -12, -15, -18, -22, -26),
+    "P7": (-6, -8, -9, -11, -14, -17),
+}
 GRADES = range(3, 13)
 _FIT = re.compile(r"([A-Z]{1,2})(\d{1,2})\s*/\s*([a-z]{1,2})(\d{1,2})")
 
@@ -58,12 +62,12 @@ def zones_of(fit: str, size: float | None = None) -> tuple[str, int, str, int]:
     match = _FIT.fullmatch(fit.strip())
     if match is not None:
         hole, hole_grade, shaft, shaft_grade = match.group(1), int(match.group(2)), match.group(3), int(match.group(4))
-        known = hole.lower() in AWAY or hole == "JS" or f"{hole}{hole_grade}" in GROOVES
+        known = hole.lower() in AWAY or hole == "JS" or f"{hole}{hole_grade}" in TIGHT
         if known and (shaft in AWAY or shaft == "js") and {hole_grade, shaft_grade} <= set(GRADES):
             return hole, hole_grade, shaft, shaft_grade
     raise DesignError(
-        'the fit "{fit}" is not in the table: give a hole of {holes} or JS (N9 or P9 for a groove) and a '
-        "shaft of {shafts} or js, with grades {finest} to {coarsest}, such as H7/g6",
+        'the fit "{fit}" is not in the table: give a hole of {holes} or JS (N9 or P9 for a groove, P7 to be pressed '
+        "on) and a shaft of {shafts} or js, with grades {finest} to {coarsest}, such as H7/g6",
         fit=brief(fit),
         holes=", ".join(letter.upper() for letter in AWAY),
         shafts=", ".join(AWAY),
@@ -120,8 +124,8 @@ def deviations(fit: str, size: float) -> tuple[tuple[float, float], tuple[float,
     hole, hole_grade, shaft, shaft_grade = zones_of(fit, size)
     step = next(number for number, most in enumerate(STEPS) if size <= most)
     width, own = (float(standard_tolerance(size, grade)) * 1e3 for grade in (hole_grade, shaft_grade))
-    if f"{hole}{hole_grade}" in GROOVES:
-        upper = float(GROOVES[f"{hole}{hole_grade}"][step])
+    if f"{hole}{hole_grade}" in TIGHT:
+        upper = float(TIGHT[f"{hole}{hole_grade}"][step])
         low, high = upper - width, upper
     elif hole == "JS":
         low, high = -width / 2, width / 2

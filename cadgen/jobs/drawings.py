@@ -198,6 +198,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         ),
         thickness_limits=_half_width(use.thickness_tolerance),
         edge_limits=_half_width(use.edge_tolerance),
+        taper=use.taper_tolerance,
         base_radius=use.base_radius if plan.groove is None and not plan.part else None,
         timing=None if timing is None else TimingDiagram.of(timing),
         groove=None if plan.groove is None else _groove(plan, plan.groove, angles),

@@ -11,7 +11,10 @@ import shapely
 
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.car.assembly.fork_sizes import JOURNAL
-from cadgen.design.load import load_design
+from cadgen.design import gear_model
+from cadgen.design.blank import TIGHT
+from cadgen.design.load import complete_of, load_design, packaged_designs, read_design
+from cadgen.design.schema import Design
 from cadgen.jobs import frame_writer
 from cadgen.jobs.assembly_checks import assembly_verdict
 from cadgen.jobs.assembly_files import listed, loose_parts, mounting_notes, mountings, sheet_notes, views_of
@@ -20,6 +23,7 @@ from cadgen.jobs.car_assembly import CarAssembly, put_together
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
+from cadgen.jobs.gears.train_making import TrainMaking
 from cadgen.jobs.mounting_parts import spring_sizes
 from cadgen.jobs.part_drawings import part_sheets
 from cadgen.output.drawing import assembly_sheet
@@ -427,6 +431,37 @@ def test_the_faces_of_a_disc_have_their_own_limits_on_the_side_of_the_rod(car: C
     notes = str(list(mounting_notes(replace(car, layout=replace(car.layout, design=untold)))))
     assert "inner face stands 23.5 mm" in notes
     assert "not stated (tolerances.inner_face_mm, tolerances.outer_face_mm)" in notes
+
+
+def test_the_rim_of_a_disc_stands_square_to_its_face_within_the_taper(sheets: dict[str, DrawingSheet]) -> None:
+    """The design's taper is 0.005 mm; A and B are bore and keyway, and a design without a taper has no third datum."""
+    face, section, *_ = sheets["workshop_car_actual"].views
+    (frame,) = (each for each in section.symbols if isinstance(each, ToleranceFrame))
+    assert (frame.characteristic, frame.zone, frame.datums) == (Characteristic.PERPENDICULARITY, 0.005, ("C",))
+    (datum,) = (each for each in section.symbols if isinstance(each, DatumFeature))
+    assert datum.foot[0] == 0.0  # on a face, not on the rim
+    assert frame.tip == pytest.approx((1.5, min(hatch.outside[:, 1].min() for hatch in section.hatches)), abs=0.3)
+    assert {each.letter for each in face.symbols if isinstance(each, DatumFeature)} == {"A", "B"}
+    plain = plan_cam(load_design("workshop_car", ["tolerances.taper_mm="]), "actual", judged=False)
+    assert not sheet_of(plain, NOWHERE).views[1].symbols
+
+
+# Of these the paper says no more: a material of the disc would make the rod rub, which the paper leaves out.
+OF_THE_PAPER = ("carbon_free_car", "appendix_car")
+
+
+@pytest.mark.parametrize("name", [name for name in packaged_designs() if name not in OF_THE_PAPER])
+def test_a_packaged_design_states_what_its_sheets_need(name: str) -> None:
+    design = complete_of(*read_design(name))
+    blank = design.blank
+    assert all((blank.material, blank.bore_fit, design.drawing and design.drawing.finish))
+    assert blank.keyway is None or blank.joint in TIGHT
+    if isinstance(design, Design):
+        train = gear_model.train_keys(design)
+        assert TrainMaking.of(train).open_keys(len(train.stages) + 1) == {}
+        assert design.tolerances.profile_offset_mm
+    else:
+        assert design.lift_tolerances.base_circle_um
 
 
 def test_a_disc_without_a_bearing_beside_it_is_not_said_to_have_a_sleeve(car: CarAssembly) -> None:

@@ -119,6 +119,11 @@ class Application:
         return 0.0
 
     @property
+    def taper_tolerance(self) -> float:
+        """Greatest difference of the outlines of both faces along their normal, mm; 0 where nothing is said of it."""
+        return 0.0
+
+    @property
     def base_radius(self) -> float | None:
         """Radius of the base circle, mm; None of a cam that is laid out without one."""
         return None

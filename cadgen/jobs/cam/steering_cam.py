@@ -120,6 +120,11 @@ class CarUse(SteeredCar):
         """Half width of the tolerance of broken edges, mm."""
         return self.design.tolerances.edge_break_mm or 0.0
 
+    @property
+    def taper_tolerance(self) -> float:
+        """Greatest difference of the outlines of both faces, mm."""
+        return self.design.tolerances.taper_mm or 0.0
+
     # The car.
 
     @cached_property

@@ -17,6 +17,7 @@ from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
 from cadgen.output.drawing.sheet import (
     BEYOND,
     EDGE,
+    FRAME_HEIGHT,
     LEFT,
     ROW,
     SHOWN,
@@ -74,6 +75,7 @@ _TABLES = 3 * _COLUMN
 _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _SHARP, _LEANING = 0.05, 0.02  # mm off sharp edges (ISO 13715), and off those on which a follower leans
 _TURNED = 1e-6  # rad, within which two directions are one
+_FRAMED = 2 * FRAME_HEIGHT  # mm on paper under a section, of a frame and its leader
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
 
@@ -123,6 +125,7 @@ class CamPart:
         notes: further sentences.
         thickness_limits: limits of the thickness as they follow it; empty where it has the general tolerance.
         edge_limits: limits of the leg of broken edges, likewise.
+        taper: perpendicularity of the rim to a face, mm; 0 where nothing is said of it.
         base_radius: radius of the base circle, mm; None of a cam that has none.
         timing: timing diagram; None of a cam whose motion is a car's.
         groove: groove of which the outline is the inner flank; None for a disc whose rim is the outline.
@@ -148,6 +151,7 @@ class CamPart:
     notes: tuple[str, ...]
     thickness_limits: str = ""
     edge_limits: str = ""
+    taper: float = 0.0
     base_radius: float | None = None
     timing: TimingDiagram | None = None
     groove: SheetGroove | None = None
@@ -192,7 +196,8 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
 
     # Beside the views: arrows of the section, dimensions of the hub; under them: their names.
     between, after = (40.0 if hub and hub.side == Face.INNER else 27.0), 24.0
-    letters = max(_letters_below(cam), _GAP if cam.groove else 0.0)  # and the dimension of the depth of a groove
+    # And the dimension of the depth of a groove, and the frame of the rim.
+    letters = max(_letters_below(cam), _GAP if cam.groove else 0.0, _FRAMED if cam.taper else 0.0)
     # The arrow at the zero mark may stand at the greatest radius, and the plane of the section ends beyond it.
     before = _BEFORE + (9.0 if timing else 0.0)
     beside, under = before + between + after + _TABLES, title.height + 29.0 + letters
@@ -321,11 +326,9 @@ def _profile_frames(
     bore = named["bore"]
     assert isinstance(bore, DiameterDimension)
     yield room.datum(axis_datum("A", bore))
-    datums = ["A"]
     if held := named.get("keyway width", named.get("across the flat")):
         assert isinstance(held, LinearDimension)
         yield room.datum(_middle_datum("B", held, scale))
-        datums.append("B")
     flanks = (
         {"outline": cam.profile}
         if cam.groove is None
@@ -336,7 +339,7 @@ def _profile_frames(
             name=name,
             characteristic=Characteristic.LINE_PROFILE,
             zone=2 * tolerance,
-            datums=tuple(datums),
+            datums=_datums(cam),
             tip=(0.0, 0.0),
             bend=(1.0, 0.0),
             all_around=True,
@@ -433,6 +436,7 @@ def _polar_lines(cam: CamPart) -> Iterator[Stroke | Closed]:
 
 def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
     blank, gap = cam.blank, _GAP / scale
+    exact = cam.profile_tolerance is not None  # the frame of the outline then holds it
     aside = degrees(blank.key.angle if blank.key else 0.0) + 125.0
     dimensions: list[Dimension] = [
         DiameterDimension(
@@ -476,6 +480,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
             centre=(0.0, 0.0),
             radius=cam.base_radius,
             angle=degrees(cam.least[1]),
+            exact=exact,
         )
         dimensions.append(circle_of_base)
     if cam.groove:
@@ -483,7 +488,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
         way = outer - inner
         dimensions += [
             DiameterDimension(
-                name="outside", centre=(0.0, 0.0), diameter=2 * cam.groove.outside_radius, angle=aside + 180.0
+                name="outside", centre=(0.0, 0.0), diameter=2 * cam.groove.outside_radius, angle=aside + 90.0
             ),
             LinearDimension(
                 name="groove width",
@@ -492,6 +497,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 at=(float(inner[0]), float(inner[1])),
                 angle=degrees(atan2(way[1], way[0])),
                 beside=scale * float(np.hypot(*way)) / 2 + BEYOND,
+                exact=exact,
             ),
         ]
     ring_of_holes = blank.lightening
@@ -584,6 +590,9 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
         dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap), scale, beside=side))
     middle, under = (low + high) / 2, -cam.reach - (2.0 if cam.groove else 1.1) * gap
+    symbols = _taper_symbols(cam, areas, scale) if cam.taper else ()
+    if symbols:
+        under -= _FRAMED / scale
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
         Label(text=Message("{face} on the right", face=cam.face), at=(middle, under - 5.0 / scale)),
@@ -594,7 +603,38 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
         labels=labels,
+        symbols=symbols,
     )
+
+
+def _taper_symbols(cam: CamPart, areas: Sequence[shapely.Polygon], scale: float) -> tuple[DatumFeature, ToleranceFrame]:
+    """Perpendicularity of the rim to the face on the left, whose letter follows those of the outline's frame.
+
+    Args:
+        cam: cam.
+        areas: cut areas of the section, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    lowest = min(areas, key=lambda area: area.bounds[1])
+    _, rim, _, top = lowest.bounds
+    letter = "ABC"[len(_datums(cam))]
+    x = cam.thickness / 2
+    frame = ToleranceFrame(
+        name="rim",
+        characteristic=Characteristic.PERPENDICULARITY,
+        zone=cam.taper,
+        datums=(letter,),
+        tip=(x, rim),
+        bend=(x + 1e-6, rim - 0.8 * _FRAMED / scale),
+    )
+    return DatumFeature(letter=letter, foot=(0.0, rim + 0.4 * (top - rim)), angle=180.0), frame
+
+
+def _datums(cam: CamPart) -> tuple[str, ...]:
+    """Letters of the datums of the outline's frame: axis of the bore, and middle of its keyway or flat."""
+    if cam.profile_tolerance is None:
+        return ()
+    return ("A", "B") if isinstance(cam.blank.key, Keyway | DFlat) else ("A",)
 
 
 def _cut_angle(cam: CamPart) -> float:
@@ -639,13 +679,18 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     third = ceil(len(cells) / 3)
     return tuple(
         SheetTable(
-            title=Message("outline about the axis") if number == 0 else "",
+            title=_exact(cam, Message("outline about the axis")) if number == 0 else "",
             at=(at[0] + number * _COLUMN, at[1]),
             widths=(13.0, 17.0),
             rows=(head, *cells[number * third : (number + 1) * third]),
         )
         for number in range(3)
     )
+
+
+def _exact(cam: CamPart, title: Message) -> Message:
+    """Title of a table of radii, which a frame of their outline makes theoretically exact."""
+    return title if cam.profile_tolerance is None else Message("{table}: theoretically exact", table=title)
 
 
 def _extremes(cam: CamPart, at: tuple[float, float]) -> SheetTable:
@@ -672,7 +717,7 @@ def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> 
     half = ceil(len(cells) / 2)
     return tuple(
         SheetTable(
-            title=Message("flanks of the groove about the axis") if number == 0 else "",
+            title=_exact(cam, Message("flanks of the groove")) if number == 0 else "",
             at=(at[0] + number * _TABLES / 2, at[1]),
             widths=(11.0, 17.0, 17.0),
             rows=(head, *cells[number * half : (number + 1) * half]),

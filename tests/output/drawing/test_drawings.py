@@ -378,6 +378,10 @@ def test_the_tolerance_of_an_outline_stands_in_a_frame_that_refers_to_marked_dat
         assert aside @ [-along[1], along[0]] == pytest.approx(0.0, abs=1e-9)
         assert np.cos(np.radians(datums["B"].angle - width.angle)) ** 2 == pytest.approx(1.0)
         assert {(frame.all_around, frame.datums) for frame in frames} == {(True, ("A", "B"))}
+        # What the frame holds is theoretically exact: radii by the angle, base circle, width of a groove.
+        assert drawn.tables[0].title.endswith(": theoretically exact")
+        held = [dimensions[name] for name in ("base circle", "groove width") if name in dimensions]
+        assert all(each.exact for each in held)
     assert zones == pytest.approx([0.02, 0.04, 0.04, 0.025])
     rim, bore = ("Ra 0.8", True), ("Ra 1.6", False)
     assert textures == [[], [rim, rim, bore], [rim, bore]]
@@ -429,7 +433,7 @@ def test_the_text_of_a_page_is_found_by_a_search(toleranced, tmp_path, language)
         pytest.skip("this system has no font with Chinese letters")
     found = subprocess.run(["pdftotext", str(page), "-"], capture_output=True, text=True, check=True).stdout
     words = {
-        "en": ["flanks of the groove about the axis", "At the arrow of 0°", "θ", "22.8 +0.1/0", "0.04"],
+        "en": ["flanks of the groove", "At the arrow of 0°", "θ", "22.8 +0.1/0", "0.04"],
         "zh": ["法定所有者", "22.8 +0.1/0", "ISO 2768-mK"],
     }[language]
     assert [word for word in words if word not in found] == []
