@@ -78,7 +78,7 @@ def brought_under(table: TableRows, known: Collection[str]) -> tuple[TableRows, 
         columns=tuple(zip(*out, strict=True)),
         blocks=tuple(run + table.blocks[row] * len(groups) for run, row in zip(runs, places, strict=True)),
     )
-    note = Message("runs stand side by side, with {columns} of their own", columns=joined(sorted(several), ", "))
+    note = Message("runs stand side by side, with {columns} of their own", columns=joined(ordered, ", "))
     return beside.noted(note), several
 
 

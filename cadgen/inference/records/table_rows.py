@@ -87,7 +87,7 @@ def rows_of(head: Head, name: str) -> TableRows:
         first = next((cell for cell in cells if cell), "")
         if not first:
             continue
-        if tuple(cells) == head.printed or _is_title(cells, first):
+        if tuple(cells) in head.printed or _is_title(cells, first):
             block = len(set(blocks))
         elif first.lower().rstrip(":") in _SUMMARIES:
             summed.append(number)

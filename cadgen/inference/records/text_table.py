@@ -40,7 +40,7 @@ class Head:
 
     Attributes:
         names: names of the columns, with their units where the file has those.
-        printed: names as they stand in the file.
+        printed: cells of the lines that hold the names and the units, as they stand in the file.
         body: number and text of each line of a row.
         mark: mark between the cells of a line; empty for spaces.
         remarks: comment lines, without their mark.
@@ -48,7 +48,7 @@ class Head:
     """
 
     names: tuple[str, ...]
-    printed: tuple[str, ...]
+    printed: tuple[tuple[str, ...], ...]
     body: tuple[tuple[int, str], ...]
     mark: str
     remarks: tuple[str, ...]
@@ -191,11 +191,13 @@ def head_of(text: str, name: str, known: Callable[[Sequence[str]], int]) -> Head
     if mark != ",":
         notes.append(Message("its columns are set apart by {marks}", marks=_MARKS.get(mark, Message("spaces"))))
     printed = tuple(names)
-    units = _units_in(split_line(body[0][1], mark, body[0][0], name), names) if body else None
+    under = tuple(split_line(body[0][1], mark, body[0][0], name)) if body else ()
+    units = _units_in(under, names) if body else None
     if units:
         names = [_with_unit(column, unit, name) for column, unit in zip(names, units, strict=True)]
         notes.append(Message("its second line has the units"))
-    return Head(tuple(names), printed, tuple(body[1:] if units else body), mark, tuple(remarks), tuple(notes))
+    above = (printed, under) if units else (printed,)
+    return Head(tuple(names), above, tuple(body[1:] if units else body), mark, tuple(remarks), tuple(notes))
 
 
 def is_remark(line: str) -> bool:

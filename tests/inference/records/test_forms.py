@@ -280,6 +280,8 @@ SEVERAL = {
         )
     ),
     "the names again, below": text(named(run="")) + "\n" + text(named(run="") | {"x_mm": SECOND}),
+    "names and units again": text(named("", "angle", "x", "y"), units=("deg", "mm", "mm"))
+    + text(named("", "angle", "x", "y") | {"x": SECOND}, units=("deg", "mm", "mm")),
     "titles": text(named(run="")).replace("\n", "\nRun 1\n", 1)
     + "Run 2,,\n"
     + text(named(run="") | {"x_mm": SECOND}).split("\n", 1)[1],
