@@ -290,6 +290,8 @@ def diagnose_logged(record: Record, build: Callable[[Record], Model], progress: 
     progress(Message("{source}: leaving runs out", source=record.source))
     model = build(record)
     left_out = leave_runs_out(record, build)
+    wider = np.hypot(left_out.chosen.sigma, among_rivals(left_out))
+    left_out = replace(left_out, chosen=replace(left_out.chosen, sigma=wider))
     active = activated(left_out.chosen.effects, left_out.chosen.values)
     as_logged = model.residual([])
     before, after = _registered(model, model.residual([])), _registered(model, model.residual(active))
@@ -379,6 +381,20 @@ def _along(coordinates: Array, run: NDArray[np.intp]) -> list[Complex]:
         x, y = (np.interp(along, np.linspace(0.0, 1.0, len(axis)), axis) for axis in both)
         out.append(x + 1j * y)
     return out
+
+
+def among_rivals(left_out: LeftOut) -> Array:
+    """Root mean square by which rivals have other values for the numbers of the chosen subset, shape (k,).
+
+    A rival without the effect says nothing of its numbers.
+    """
+    chosen = left_out.chosen
+    theirs = [dict(activated(rival.effects, rival.values)) for rival in left_out.rivals]
+    apart: list[Array] = []
+    for effect, values in activated(chosen.effects, chosen.values):
+        others = [np.asarray(each[effect]) - np.asarray(values) for each in theirs if effect in each]
+        apart.append(np.sqrt(np.mean(np.square(others), axis=0)) if others else np.zeros(len(values)))
+    return np.concatenate(apart) if apart else np.zeros(0)
 
 
 def _unsure(model: Model, chosen: LeftOutFit, groups: list[list[int]], again: list[Repeats]) -> Array:

@@ -5,9 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cadgen.deviations.catalogue import TRACK
 from cadgen.inference.measurement.diagnosis import calibrate_logged
 from cadgen.inference.measurement.nominal import LoggedCar
 from cadgen.inference.measurement.odd_logs import odd_logs
+from cadgen.inference.measurement.runs_left_out import LeftOut, LeftOutFit, among_rivals
 from cadgen.inference.records.load import load
 from tests.inference.measurement.synthetic_vehicle import Vehicle, drive
 
@@ -80,3 +82,17 @@ def test_no_good_run_is_left_out(measured):
         for _ in range(2):
             some = np.sort(rng.choice(record.runs, 4, replace=False))
             assert odd_logs(record.only(some), LoggedCar(150.0)) == {}
+
+
+def test_what_rivals_say_of_a_number_widens_it():
+    """Zero 1.0 and 1.4 in two rivals about 1.2: 0.2; what none of them has is as sure as before."""
+    zero, other = TRACK.named("steering zero"), TRACK.named("wheel radius")
+
+    def fit(effects, values):
+        few = np.ones(4)
+        return LeftOutFit(effects, np.array(values), np.full(len(values), 0.01), 3.0, (), few, few)
+
+    rivals = (fit((zero,), [1.0]), fit((zero,), [1.4]))
+    chosen = fit((zero, other), [1.2, 0.02])
+    left_out = LeftOut(np.ones(4), 100.0, chosen, rivals, (chosen, *rivals))
+    np.testing.assert_allclose(among_rivals(left_out), [0.2, 0.0], atol=1e-12)
