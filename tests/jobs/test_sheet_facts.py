@@ -446,6 +446,36 @@ def test_the_rim_of_a_disc_stands_square_to_its_face_within_the_taper(sheets: di
     assert not sheet_of(plain, NOWHERE).views[1].symbols
 
 
+@pytest.mark.parametrize("code", ["plate_near", "plate_far"])
+def test_no_leader_of_a_plate_crosses_a_number(sheets: dict[str, DrawingSheet], code: str) -> None:
+    sheet = sheets[f"workshop_car_frame_{code}"]
+    view = sheet.views[0]
+    leaders = [
+        shapely.LineString(sheet.scale * np.array([each.tip, each.bend]))
+        for each in view.symbols
+        if isinstance(each, ToleranceFrame)
+    ]
+    assert len(leaders) > 2
+    for label in view.labels:
+        (x, y), half = sheet.scale * np.array(label.at), 0.3 * label.height * len(label.text)
+        letters = shapely.box(x - half, y - label.height / 2, x + half, y + label.height / 2)
+        assert not any(leader.intersects(letters) for leader in leaders), label.text
+
+
+def test_limits_of_a_small_tip_diameter_stand_over_its_extension_line(sheets: dict[str, DrawingSheet]) -> None:
+    """Letters are 0.6 of their height wide at least; what is longer than the diameter stands beyond its end."""
+    outside = 0
+    for sheet in sheets.values():
+        for each in (dimension for view in sheet.views for dimension in view.dimensions):
+            if not each.name.startswith("tip diameter") or not isinstance(each, LinearDimension):
+                continue
+            diameter = sheet.scale * abs(each.end[1] - each.start[1])
+            long = 0.6 * 2.5 * len(f"Ø{diameter / sheet.scale:g}{each.suffix}")
+            assert long < diameter or each.beside - long / 2 > diameter / 2
+            outside += each.beside > 0
+    assert outside > 0
+
+
 # Of these the paper says no more: a material of the disc would make the rod rub, which the paper leaves out.
 OF_THE_PAPER = ("carbon_free_car", "appendix_car")
 

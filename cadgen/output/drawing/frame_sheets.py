@@ -130,6 +130,12 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     for dimension in dimensions:
         room.take(dimension)
     labels = [Label(text="0", at=(-3.0 / scale, -3.0 / scale), height=3.5)]
+    seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
+    seats.sort(key=lambda hole: hole.shaft)
+    framed = [
+        (f"seat of shaft {each.shaft}", (each.u, each.v), each.diameter, text.zones[each.shaft]) for each in seats
+    ]
+    symbols = tuple(hole_frames(framed, room))  # numbers of holes then stand where no leader is
     labels += [
         room.label(str(number), (hole.u, hole.v), scale * hole.diameter / 2 + _NUMBER, 2.5)
         for number, hole in enumerate(panel.holes, 1)
@@ -153,12 +159,6 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
             room.take(label)
             labels.append(label)
             break
-    seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
-    seats.sort(key=lambda hole: hole.shaft)
-    framed = [
-        (f"seat of shaft {each.shaft}", (each.u, each.v), each.diameter, text.zones[each.shaft]) for each in seats
-    ]
-    symbols = tuple(hole_frames(framed, room))
     views = [
         View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels), symbols=symbols)
     ]

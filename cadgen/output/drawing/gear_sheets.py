@@ -56,6 +56,7 @@ from cadgen.output.drawing.sheet import (
     cutting_plane,
     have_room,
     keyway_width,
+    length_of,
     line_datum,
     over_title,
     ring,
@@ -515,7 +516,7 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
         tips = axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out)
         dimensions += [
-            replace(tips, suffix=gear.tip_limits[number]),
+            _limited(tips, gear.tip_limits[number], scale),
             along_axis(f"width, {name}", (start, end), tip, _reach(part.body) + 0.8 * gap),
         ]
     if is_ring(part.gears[0]):
@@ -552,6 +553,19 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         labels=(Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5),),
         symbols=tuple(symbols),
     )
+
+
+def _limited(diameter: LinearDimension, limits: str, scale: float) -> LinearDimension:
+    """Diameter with its limits: over its upper end where they are too long to stand between its extension lines.
+
+    Args:
+        diameter: upright diameter.
+        limits: limits, with a blank before them; empty for none.
+        scale: mm on paper for a mm of the part.
+    """
+    room = scale * length_of(diameter)
+    long = TEXT * WIDEST * len(f"{diameter.prefix}{rounded(length_of(diameter))}{limits}")
+    return replace(diameter, suffix=limits, beside=0.0 if room >= long else (room + long) / 2 + 1.0)
 
 
 def _run_outs(gear: GearPart, named: Mapping[str, LinearDimension], scale: float) -> Iterator[ToleranceFrame]:
