@@ -9,7 +9,7 @@ from cadgen.inference.measurement.record import Column, Datum, Kind, Record, joi
 _MOST_DEG = 3.6e7
 _MOST_NM = 1e6
 _LEAST_ROWS = 24
-MOST_ROWS = 20_000
+MOST_ROWS, _MOST_LOGGED = 20_000, 400_000
 
 
 def judged_together(
@@ -22,6 +22,7 @@ def judged_together(
     most_rows: int = MOST_ROWS,
     counts: int = 0,
     beside: tuple[Column, ...] = (),
+    most_logged: int = 0,
 ) -> Kind:
     """Kind of which records are judged together, without effects to choose from.
 
@@ -29,7 +30,7 @@ def judged_together(
         code, title: as of a kind.
         columns: of a file.
         reading: place of the column that the instrument reads.
-        least_rows, most_rows, counts, beside: as of a kind.
+        least_rows, most_rows, counts, beside, most_logged: as of a kind.
     """
     return Kind(
         code=code,
@@ -42,6 +43,7 @@ def judged_together(
         most_rows=most_rows,
         counts=counts,
         beside=beside,
+        most_logged=most_logged,
         nearness=0,
     )
 
@@ -51,13 +53,14 @@ _ANGLES = tuple(
 )
 # Times tell a lag between both readings from play, where the speed changes.
 _TIME = Column(name="t_s", lower=-1e12, upper=1e12)
-TRAIN = judged_together("train", "Transmission of a train", _ANGLES, beside=(_TIME,))
+TRAIN = judged_together("train", "Transmission of a train", _ANGLES, beside=(_TIME,), most_logged=_MOST_LOGGED)
 LOADED_TRAIN = judged_together(
     "loaded train",
     "Transmission of a train under load",
     (*_ANGLES, Column(name="output_torque_Nm", lower=-_MOST_NM, upper=_MOST_NM)),
     reading=1,
     beside=(_TIME,),
+    most_logged=_MOST_LOGGED,
 )
 # Angles by the names that a car has for them.
 MOTOR_AND_CAM = judged_together(
@@ -65,6 +68,7 @@ MOTOR_AND_CAM = judged_together(
     "Transmission of a train to its camshaft",
     tuple(Column(name=name, lower=-_MOST_DEG, upper=_MOST_DEG) for name in ("motor_angle_deg", "cam_angle_deg")),
     beside=(_TIME,),
+    most_logged=_MOST_LOGGED,
 )
 KINDS = (TRAIN, LOADED_TRAIN, MOTOR_AND_CAM)
 

@@ -141,6 +141,8 @@ class Kind:
         abscissa: of its picture.
         plan_view: whether its picture shows the path in plan view instead of a spectrum.
         beside: columns that are read, too, where a file has them.
+        most_logged: rows that a file may have, of which as many are kept, evenly, as can be judged; 0 for no more than
+            these.
     """
 
     code: str
@@ -168,6 +170,7 @@ class Kind:
     abscissa: Abscissa = Abscissa.CAM_ANGLE
     plan_view: bool = False
     beside: tuple[Column, ...] = ()
+    most_logged: int = 0
 
     def __str__(self) -> str:
         return self.code

@@ -37,7 +37,7 @@ from cadgen.inference.measurement.record import (
 from cadgen.inference.records.cell_numbers import plain_numbers
 from cadgen.inference.records.columns import AS_NAMED, Match, Reading, match_columns
 from cadgen.inference.records.side_by_side import brought_under
-from cadgen.inference.records.table_rows import TableRows, each_once, rows_of, with_numbers
+from cadgen.inference.records.table_rows import TableRows, each_once, rows_of, thinned, with_numbers
 from cadgen.inference.records.text_table import HEAD_LINES, Head, head_of, is_remark, text_of
 from cadgen.inference.records.units import TIMES, WORDS, heading, other_length
 from cadgen.messages import Message
@@ -76,7 +76,8 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     exact = None if known is not None or reading.columns else kind_with(head.names)
     among = (exact,) if exact else known or kinds()
     # Counted before any is kept: of the shortest lines a file has millions.
-    refuse_many(max(among, key=lambda kind: kind.most_rows), len(head.body), name)
+    if len(head.body) > max(kind.most_logged for kind in among):
+        refuse_many(max(among, key=lambda kind: kind.most_rows), len(head.body), name)
     try:
         rows = rows_of(head, name)
     except FileError:
@@ -89,6 +90,8 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     table = with_numbers(table, [match.places[column.name].index for column in kind.columns if not column.words])
     if not kind.counts:
         table = each_once(table, [match.places[c].index for c in kind.header if c in match.places])
+    if kind.most_logged:
+        table = thinned(table, kind.most_rows)
     refuse_many(kind, len(table.lines), name)
     columns: dict[str, NDArray[np.generic]] = {}
     for column in kind.columns:

@@ -184,3 +184,16 @@ def each_once(table: TableRows, used: Sequence[int]) -> TableRows:
     if twice := len(cells) - len(kept):
         return table.where(kept).noted(Message("{count} rows that repeat the one before are left out", count=twice))
     return table
+
+
+def thinned(table: TableRows, most: int) -> TableRows:
+    """One row in so many that no more are left than can be judged, as of a log of a thousand rows a second.
+
+    Args:
+        table: rows of a table.
+        most: rows that can be judged.
+    """
+    each = -(-len(table.lines) // most)
+    if each <= 1:
+        return table
+    return table.where(range(0, len(table.lines), each)).noted(Message("one row in {each} is used", each=each))

@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from cadgen.inference.gearing.record_kinds import KINDS
+from cadgen.inference.records.load import load
 from tests.inference.gearing.test_train_errors import judged
 
 RATIO = 61 / 20 * 64 / 21
@@ -53,3 +55,12 @@ def test_without_times_a_lag_may_be_play():
     result = judged(joint(swings, 0.003, times=False))
     assert result.errors.lag is None
     assert result.errors.play.value > np.radians(PLAY + 0.1)
+
+
+def test_a_log_of_more_rows_than_can_be_judged_is_thinned(tmp_path):
+    path = tmp_path / "log.csv"
+    rows = "".join(f"{k},{k / 100},{k / 900}\n" for k in range(44_000))
+    path.write_text("t_s,input_angle_deg,output_angle_deg\n" + rows)
+    record = load(path, KINDS)
+    np.testing.assert_allclose(record["t_s"], np.arange(0, 44_000, 3))
+    assert "one row in 3 is used" in record.notes
