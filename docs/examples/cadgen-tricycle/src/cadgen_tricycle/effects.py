@@ -91,7 +91,13 @@ EFFECTS = (
         name="steering gain",
         stage=STEERING,
         # A log in another scale is off by several or by hundred times; below -100 % its sign is the other one.
-        parameters=(_percent("gain_percent", "+: the wheel turns more than was logged", 9900.0),),
+        parameters=(
+            _percent(
+                "gain_percent",
+                "+: the wheel turns more than was logged; below -100 %: the other sign of it or of y",
+                9900.0,
+            ),
+        ),
         act=_times,
         confused_with="wheelbase, as long as the wheel turns little",
         separated_by=ON_THE_SPOT,
