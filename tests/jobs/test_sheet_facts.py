@@ -458,7 +458,7 @@ def test_no_leader_of_a_plate_crosses_a_number(sheets: dict[str, DrawingSheet], 
     assert len(leaders) > 2
     for label in view.labels:
         (x, y), half = sheet.scale * np.array(label.at), 0.3 * label.height * len(label.text)
-        letters = shapely.box(x - half, y - label.height / 2, x + half, y + label.height / 2)
+        letters = shapely.box(x - half, y - label.height / 2, x + half, y + label.height / 2).buffer(0.5)
         assert not any(leader.intersects(letters) for leader in leaders), label.text
 
 
