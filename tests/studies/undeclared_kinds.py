@@ -16,6 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -88,11 +89,17 @@ def _beside(data: str, field: str, rng: np.random.Generator) -> tuple[str, dict[
     return PLAYS[data] if field == "play" else NAMES[field], {field: sizes[field]}
 
 
-def draw(seed: int, number: int) -> Drawn:
-    """A case by its number."""
+@cache
+def _bed() -> Any:
+    """The paper's car on its disc, which each case changes."""
     from tests.conftest import build
     from tests.inference.measurement.synthetic import Car as Bed
 
+    return Bed(build("carbon_free_car"))
+
+
+def draw(seed: int, number: int) -> Drawn:
+    """A case by its number."""
     rng = np.random.default_rng([seed, number])
     name, turn = list(KINDS)[number % len(KINDS)], number // len(KINDS)
     kind = KINDS[name]
@@ -100,8 +107,7 @@ def draw(seed: int, number: int) -> Drawn:
     truth, fields = _beside(data, kind.beside, rng)
     if not (kind.beside or turn // len(kind.data) % 2):
         truth, fields = "", {}
-    bed = Bed(build("carbon_free_car"))
-    plain, bare = OddWorld(bed.built, bed, drawn_form(rng)), Car(**fields)
+    plain, bare = OddWorld(_bed().built, _bed(), drawn_form(rng)), Car(**fields)
     make, wanted = kind.draw(rng), float(np.exp(rng.uniform(np.log(LEAST), np.log(MOST))))
     sign = float(rng.choice([-1, 1])) if kind.signed else 1.0
     nothing = plain.clean(data, bare)
