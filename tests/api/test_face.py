@@ -108,7 +108,7 @@ REFUSED = {
         lambda car: replace(PINION, width=-1.0),
         "width is -1; it must be a number from 0.01 to 500 mm",
     ),
-    "a bore": (lambda car: replace(PINION, bore=16.0), "has a bore that reaches to 16 mm"),
+    "a bore": (lambda car: replace(PINION, bore=16.0).part, "has a bore that reaches to 16 mm"),
     "a hub": (lambda car: replace(PINION, hub=3), "hub is 3; it must be a Hub"),
     "a tolerance": (
         lambda car: replace(PINION, tolerances={"f_x": 1}),
