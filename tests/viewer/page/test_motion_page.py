@@ -9,7 +9,7 @@ from shapely.affinity import rotate
 
 from cadgen import Design, Report
 from cadgen.design.load import complete_of, read_design
-from cadgen.viewer.page.html import html_of
+from cadgen.viewer.page.html import html_of, pieces_of
 from cadgen.viewer.page.page_plan import plan_motion_page
 from cadgen.viewer.page.report import page_of
 from tests.viewer.page.chromium import READY
@@ -44,6 +44,13 @@ def test_the_rim_of_a_measured_cam_shows_where_it_differs_from_its_design(tmp_pa
     assert rim.values == pytest.approx(50.0 * along[:, 1] / np.hypot(*along.T), abs=1.5)
     (section,) = [each for each in page.sections if each.code == "calibration"]
     assert section.tables[0].rows[0][0] == "eccentric bore"
+
+
+def test_the_curves_say_what_the_triangles_over_them_mean():
+    charts = str(pieces_of(page_of_design(*read_design("roller")))["charts"])
+    assert "▲ peak of the lift, ▼ valley" in charts
+    assert "▲ 升程的峰，▼ 谷" in charts
+    assert "blend" not in charts  # a cam by its motion has none
 
 
 def test_what_was_not_measured_on_a_cam_is_said_first_on_its_page():
