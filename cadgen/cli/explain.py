@@ -27,8 +27,10 @@ def explain(words: tuple[str, ...]) -> None:
     if word:
         keys = named_keys(word)[:_MOST_KEYS]
         found = [] if keys and "." in word else glossary.find(word, language())  # a whole key is no term
+        own = tuple(_checks_of_kinds(word)) if "-" in word else ()  # plug-ins are looked for in no other case
         entries = [
-            *((f"{term.name} ({term.other_name})", term.meaning, "") for term in found),
+            *own,
+            *((f"{term.name} ({term.other_name})", term.meaning, "") for term in found if not own),
             *(
                 (f"{key.name} ({kind})" if kind else key.name, shown(Message(key.meaning)), shown(key.demand))
                 for kind, key in keys
@@ -69,6 +71,18 @@ def _kinds(word: str) -> Iterator[tuple[str, str, str]]:
         yield f"{code} ({shown(Message('motion law'))})", shown(Message(laws.law_of(code).meaning)), ""
     if followers.has(code):
         yield f"{code} ({shown(Message('follower'))})", shown(Message(followers.kind_of(code).meaning)), ""
+
+
+def _checks_of_kinds(word: str) -> Iterator[tuple[str, str, str]]:
+    """Check of a kind of follower or stage from outside, by the words of its code: heading, meaning, nothing."""
+    from cadgen.cam.followers import table as followers
+    from cadgen.gears import stage_kinds as stages
+
+    for table in (followers, stages):
+        for kind in map(table.kind_of, table.codes()):
+            for code, meaning in kind.explains:
+                if glossary.plain(code) == glossary.plain(word):
+                    yield f"{code} ({kind.code})", shown(Message(meaning)), ""
 
 
 def _deviations(word: str) -> Iterator[tuple[str, str, str]]:

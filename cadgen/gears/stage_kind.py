@@ -25,6 +25,7 @@ class StageKind:
         build: function of the keys and of the distance of the bearings, mm, that returns the stage; a `DesignError`
             where there is no such stage. One of a `toothed` kind takes a `ToothedTrain` in place of that distance.
         toothed: whether its gears take what they leave out from [train].
+        explains: codes of checks of its own, each with a sentence for `cadgen explain`.
     """
 
     code: str
@@ -32,6 +33,7 @@ class StageKind:
     keys: type[Any]
     build: Callable[[Any, Any], Stage]
     toothed: bool = False
+    explains: tuple[tuple[str, str], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -2,6 +2,7 @@
 
 import ast
 import re
+from dataclasses import replace
 from functools import cache
 from itertools import pairwise
 from pathlib import Path
@@ -11,15 +12,18 @@ from click.testing import CliRunner
 
 import cadgen as package
 from cadgen import glossary
+from cadgen.cam.followers import table as followers
 from cadgen.car.against_play import profile_kinds
 from cadgen.check import CheckCode
 from cadgen.cli import _FIRST, cli
+from cadgen.gears import stage_kinds
 from cadgen.gears.choices import Order
 from cadgen.gears.planetary_stage import PlanetaryCode
 from cadgen.inference.measurement.verdict import Verdict
 from cadgen.messages import shown
 from tests.catalogue import templates
 from tests.cli.conftest import one_sentence
+from tests.docs.blocks import DOCS, blocks
 
 
 @pytest.mark.parametrize("word", ["play", "Gates", "return error", "回程误差", "轮廓失真", "chord-tolerance"])
@@ -97,6 +101,31 @@ def test_every_check_is_explained_by_its_code_and_by_its_name(language):
     assert not [
         word for word in asked if CHECKS[language] not in {term.section for term in glossary.find(word, language)}
     ]
+
+
+@pytest.mark.parametrize("page", ["how-to/followers.md", "how-to/gear-kinds.md"])
+def test_a_kind_of_ones_own_explains_its_checks(page):
+    """Codes in the enumerations of the page's program are those that its kind explains, and `explain` says them."""
+    program = ast.parse(max((block.text for block in blocks(DOCS / page) if block.language == "python"), key=len))
+    nodes = list(ast.walk(program))
+    codes = {
+        line.value.value
+        for node in nodes
+        if isinstance(node, ast.ClassDef) and node.name.endswith("Code")
+        for line in node.body
+        if isinstance(line, ast.Assign)
+    }
+    (explains,) = (ast.literal_eval(node.value) for node in nodes if getattr(node, "arg", "") == "explains")
+    assert codes == {code for code, _ in explains} != set()
+    table = followers if "followers" in page else stage_kinds
+    kind = replace(table.kind_of("roller" if table is followers else "rack"), code="own_kind", explains=explains)
+    table.register(kind)
+    try:
+        for code, meaning in explains:
+            said = " ".join(CliRunner().invoke(cli, ["explain", code]).output.split())
+            assert said == f"{code} (own_kind) {meaning}"
+    finally:
+        table.remove(kind)
 
 
 @pytest.mark.parametrize(

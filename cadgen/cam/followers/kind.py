@@ -68,6 +68,7 @@ class FollowerKind:
             opposite one; None where the keys have none.
         groove: function of keys and seat that returns the rollers of a groove; None where the keys have none.
         refuse: function that refuses keys that do not suit their seat, by a `ValueError` of one sentence.
+        explains: codes of checks of its own, each with a sentence for `cadgen explain`.
     """
 
     code: str
@@ -81,6 +82,7 @@ class FollowerKind:
     second: Callable[[Any, FollowerSeat], Follower | None] = lambda keys, seat: None
     groove: Callable[[Any, FollowerSeat], GrooveRollers | None] = lambda keys, seat: None
     refuse: Callable[[Any, FollowerSeat], None] = lambda keys, seat: None
+    explains: tuple[tuple[str, str], ...] = ()
 
     def follower(self, keys: Any, seat: FollowerSeat) -> Follower:
         """Follower as designed, of which no member is missing.
