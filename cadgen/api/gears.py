@@ -27,7 +27,7 @@ from cadgen.gears import spur
 from cadgen.gears import train as numeric
 from cadgen.gears.choices import HelixHand, Thinning
 from cadgen.gears.contact import contact_ratio
-from cadgen.gears.inspection import inspection_of
+from cadgen.gears.inspection import gauge_of, inspection_of
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.ring import ring_of
 from cadgen.gears.shifts import USUAL_LAND, Shifts, proposed_shifts
@@ -315,13 +315,7 @@ class Gear(Stated, OnePart, Pictured):
         deviation = self.form.tooth_thickness_deviation
         sizes = inspection_of(self.form, deviation, deviation)
         span, pins = sizes.span, sizes.pins
-        gauge, across, size = "pin", "over", Message("size over pins")
-        if self.internal:
-            gauge, across, size = "ball", "between", Message("size between balls")
-        elif self.form.helix_angle:
-            gauge, size = "ball", Message("size over balls")
-        width = Message("face width that the span needs")
-        diameter = Message("pin diameter") if gauge == "pin" else Message("ball diameter")
+        gauge, width = gauge_of(self.form), Message("face width that the span needs")
         return Figures(
             *form_figures(self.form).values(),
             Figure("bore", Message("bore diameter"), self.part.blank.bore_diameter, "mm"),
@@ -329,8 +323,8 @@ class Gear(Stated, OnePart, Pictured):
             Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
             Figure("span", Message("base tangent length"), span.span.upper if span else None, "mm"),
             Figure("span_width_needed", width, span.width_needed if span else sizes.span_needs, "mm"),
-            Figure(f"{gauge}_diameter", diameter, pins.pin_diameter if pins else None, "mm"),
-            Figure(f"{across}_{gauge}s", size, pins.over_pins.upper if pins else None, "mm"),
+            Figure(gauge.diameter, gauge.diameter_name, pins.pin_diameter if pins else None, "mm"),
+            Figure(gauge.size, gauge.size_name, pins.over_pins.upper if pins else None, "mm"),
             Figure("volume", Message("volume"), self.part.volume, "mm3"),
         )
 
@@ -608,8 +602,8 @@ class GearPair(Stated, _ByNumbers):
             pointed = proposed_shifts(bare.cut, apart, 0.0)
             if pointed:
                 raise DesignError(
-                    "no profile shifts free this pair of undercut with tip lands of {land:g} modules; give a "
-                    "least_land of {most:g}",
+                    "no profile shifts free this pair of undercut with tip lands of {land:g} modules; give a least "
+                    "land (least_land, --least-land) of {most:g}",
                     land=least_land,
                     most=floor(max(min(each.lands) for each in pointed) * 1e3) / 1e3,
                 )

@@ -197,7 +197,7 @@ def draw(
         look = Message("measure the part by the dimensions of its sheet")
         pages = [file for file in written if file.name.endswith(".pdf")]
         if full := [file.name for file in pages if file.readings[1:2] == (scale_text(1.0),)]:
-            look = Message("print {pages} at 100 %, and lay the part on it", pages=joined(full))
+            look = Message("print {pages} at 100 %, and lay each part on its sheet", pages=joined(full))
             if len(full) == len(pages):
                 look = Message("print the PDF at 100 %, and lay the part on it")
         if "PDF" in written.omitted:

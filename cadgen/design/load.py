@@ -110,6 +110,7 @@ def complete_of(text: str, file: Path, overrides: Sequence[str] = ()) -> Design 
     return made(**checked, overrides=tuple(overrides))
 
 
+_BY_FLAGS = ("gear", "planetary")  # commands that read a file of their own flags
 OF_A_CAM = ("path", "car", "cam", "follower", "motion")  # sections of which a design with a train alone has none
 
 
@@ -325,13 +326,21 @@ def _parsed(text: str, file: Path) -> TomlValues:
     """The values in a file's text."""
     name = brief(str(file))
     try:
-        return parse(text)
+        values = parse(text)
     except DeepError:
         raise DesignError(
             "{name}: keys or brackets are nested too deeply for a design: correct the file", name=name
         ) from None
     except ValueError as error:
         raise DesignError(_syntax(str(error), name, text)) from None
+    for command in _BY_FLAGS:
+        if isinstance(values.get(command), dict):
+            raise DesignError(
+                "{name} has the flags of cadgen {command}, which reads it, and is no design: cadgen {command} {name}",
+                name=name,
+                command=command,
+            )
+    return values
 
 
 def _syntax(problem: str, file: str, text: str) -> str:

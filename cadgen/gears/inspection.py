@@ -15,7 +15,9 @@ from math import acos, atan, ceil, cos, hypot, inf, pi, sin, tan
 from scipy.optimize import brentq
 
 from cadgen.errors import DesignError
+from cadgen.figures import Figures
 from cadgen.gears.tooth import GearForm, Tooth, involute, tooth_of
+from cadgen.messages import Message
 
 LEAST_TEETH_SPANNED = 2
 # Radial place of the pins' contact against the circle d + 2 x m_n, in modules (DIN 3977).
@@ -60,6 +62,38 @@ class PinMeasurement:
     pin_diameter: float
     over_pins: SizeLimits
     contact_diameter: float
+
+
+@dataclass(frozen=True, slots=True)
+class Gauge:
+    """Names of what lies in two opposite spaces of a gear: pins of a spur gear, balls of a helical one and of a ring.
+
+    Attributes:
+        size: code of the size over them.
+        size_name: name of that size.
+        diameter: code of their diameter.
+        diameter_name: name of that diameter.
+    """
+
+    size: str
+    size_name: Message
+    diameter: str
+    diameter_name: Message
+
+
+_PINS = Gauge("over_pins", Message("size over pins"), "pin_diameter", Message("pin diameter"))
+_BALLS = Gauge("over_balls", Message("size over balls"), "ball_diameter", Message("ball diameter"))
+_INSIDE = Gauge("between_balls", Message("size between balls"), "ball_diameter", Message("ball diameter"))
+
+
+def gauge_of(form: GearForm) -> Gauge:
+    """Names of what a gear is measured with."""
+    return _INSIDE if form.side < 0 else _BALLS if form.helix_angle else _PINS
+
+
+def gauge_in(figures: Figures) -> Gauge:
+    """Names of what the gear of these figures is measured with; pins for a wheel without teeth."""
+    return next((gauge for gauge in (_INSIDE, _BALLS) if f"{gauge.size}_max" in figures), _PINS)
 
 
 @dataclass(frozen=True, slots=True)

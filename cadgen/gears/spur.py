@@ -25,7 +25,7 @@ from cadgen.gears.contact import (
     missing_shift,
 )
 from cadgen.gears.distribution import quantiles
-from cadgen.gears.inspection import Inspection, SizeLimits, inspection_of
+from cadgen.gears.inspection import Inspection, SizeLimits, gauge_of, inspection_of
 from cadgen.gears.internal import require_free, reserves, shortened_ring
 from cadgen.gears.pair import GradedGear, Pair, closest
 from cadgen.gears.ring import RingForm, cutter_of
@@ -520,7 +520,7 @@ def helix_figures(form: GearForm) -> tuple[Figure, ...]:
 
 def gear_figures(form: GearForm, limits: tuple[float, float], sizes: Inspection) -> Figures:
     """Dimensions of one gear for the workshop."""
-    span, pins = sizes.span, sizes.pins
+    span, pins, gauge = sizes.span, sizes.pins, gauge_of(form)
     needed: tuple[Figure, ...] = ()
     if form.helix_angle:
         width = span.width_needed if span else sizes.span_needs
@@ -533,8 +533,8 @@ def gear_figures(form: GearForm, limits: tuple[float, float], sizes: Inspection)
         Figure("teeth_spanned", Message("teeth spanned"), span.teeth_spanned if span else None),
         *_limits("span", span.span if span else None),
         *needed,
-        Figure("pin_diameter", Message("pin diameter"), pins.pin_diameter if pins else None, "mm"),
-        *_limits("over_pins", pins.over_pins if pins else None),
+        Figure(gauge.diameter, gauge.diameter_name, pins.pin_diameter if pins else None, "mm"),
+        *_limits(gauge.size, pins.over_pins if pins else None),
     )
 
 

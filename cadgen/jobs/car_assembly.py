@@ -3,6 +3,7 @@
 What the design does not say of a part is chosen here and named in its texts: the fork, its wheel, and hubs of wheels.
 """
 
+from collections import Counter
 from collections.abc import Iterator
 from colorsys import hsv_to_rgb
 from dataclasses import dataclass, replace
@@ -78,6 +79,7 @@ _SCREWS_APART, _THROUGH = 12.0, 3.2
 _METAL, _DARK, _BRASS = (0.66, 0.68, 0.70), (0.22, 0.24, 0.27), (0.78, 0.65, 0.30)
 _DISC_COLOUR, _FORK_COLOUR = (0.86, 0.47, 0.21), (0.27, 0.47, 0.70)
 _STEEL = Message("steel")
+_THREAD = "M3"  # of set screws, where the design states none
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -662,27 +664,29 @@ class _Parts:
         )
 
     def screws(self) -> Iterator[CarPart]:
-        """Set screws of hubs."""
-        count = 1 + sum(
-            turning.part.blank.hub is not None and turning.part.blank.hub.set_screw is not None
+        """Set screws of hubs, by their threads: those that the design states, and M3 else."""
+        shafts = len(self.groups)
+        hubs = [
+            (turning.part.blank.hub, self.making.shaft(turning.part.shaft, shafts).fit)
             for turning in self.turning.parts
-        )
-        hub = self.cam.made_blank.hub
-        count += hub is not None and hub.set_screw is not None
-        yield CarPart(
-            code="set-screws",
-            title=Message("set screws of the hubs"),
-            shape=None,
-            places=(),
-            group=self.groups[0],
-            material=_STEEL,
-            density=0.0,
-            mass=0.15,
-            supply=Supply.BOUGHT,
-            standard="ISO 4029, M3 x 4",
-            further=count,
-            how=Message("in the hubs that are tapped for them"),
-        )
+        ]
+        hubs.append((self.cam.made_blank.hub, self.cam.making.fit))
+        tapped = [(fit.thread or _THREAD).split()[0] for hub, fit in hubs if hub is not None and hub.set_screw]
+        for thread, count in Counter([_THREAD, *tapped]).items():
+            yield CarPart(
+                code="set-screws" if thread == _THREAD else f"set-screws-{thread.lower()}",
+                title=Message("set screws of the hubs"),
+                shape=None,
+                places=(),
+                group=self.groups[0],
+                material=_STEEL,
+                density=0.0,
+                mass=0.15,
+                supply=Supply.BOUGHT,
+                standard=f"ISO 4029, {thread} x 4",
+                further=count,
+                how=Message("in the hubs that are tapped for them"),
+            )
 
 
 def _box(left: float, right: float, low: float, high: float) -> Contour:

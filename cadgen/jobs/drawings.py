@@ -485,7 +485,7 @@ def span_notes(train: Train) -> Iterator[Message]:
         train: train.
     """
     for span in dict.fromkeys(stage.bearing_span for stage in train.stages if stage.distance_deviation):
-        yield Message("Bearings of a shaft {span:g} mm apart, as the play is reckoned.", span=span)
+        yield Message("Bearings of a shaft {span:g} mm apart, for which the play is computed.", span=span)
 
 
 def distance_notes(train: Train) -> Iterator[Message]:
@@ -497,8 +497,8 @@ def distance_notes(train: Train) -> Iterator[Message]:
     for number, stage in enumerate(train.stages, 1):
         if stage.distance_deviation:
             yield Message(
-                "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, as the play is"
-                " reckoned.",
+                "Axes {first} and {second}: {apart:g} ± {deviation:.4g} mm, bearings {span:g} mm apart, for which "
+                "the play is computed.",
                 first=number,
                 second=number + 1,
                 apart=stage.centre_distance,

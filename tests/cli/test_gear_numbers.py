@@ -80,7 +80,7 @@ def test_a_part_is_laid_on_a_sheet_of_its_own_size_alone(tmp_path):
     full = [f"pair{name}_drawing.pdf" for name, scale in scales.items() if scale == "1:1"]
     print(scales)
     assert 0 < len(full) < len(scales)
-    assert f"next: print {', '.join(full)} at 100 %, and lay the part on it" in said
+    assert f"next: print {', '.join(full)} at 100 %, and lay each part on its sheet" in said
 
 
 def test_a_pair_that_jams_is_not_exported(tmp_path):
@@ -235,3 +235,29 @@ def test_a_file_of_the_flags_says_the_same(arguments, tmp_path):
     wrong = run(arguments[0], file)
     assert wrong.exit_code == 2
     assert "has teeht, which is no flag" in wrong.output
+
+
+def test_a_file_of_flags_is_no_design_and_names_its_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    flags = ("planetary", "--sun", 18, "--planet", 27, *SIZES, "--toml")
+    (tmp_path / "pl.toml").write_text(run(*flags).output)
+    for verb in ("check", "gears", "draw"):
+        with pytest.raises(DesignError, match=r"flags of cadgen planetary.*: cadgen planetary pl\.toml"):
+            run(verb, "pl.toml")
+
+
+@pytest.mark.parametrize(
+    ("helix", "internal", "size"),
+    [("0", False, "over_pins"), ("15", False, "over_balls"), ("0", True, "between_balls")],
+)
+def test_the_sizes_of_a_train_are_named_by_what_they_are_measured_with(helix, internal, size):
+    """A ring, and a helical gear with an odd number of teeth, are measured over balls alone."""
+    pinion = Gear(teeth=19, module=1, width=8, helix_angle=np.radians(float(helix)))
+    teeth = {"teeth": 60, "internal": True} if internal else {"teeth": 47, "hand": "left"}
+    wheel = Gear(**teeth, module=1, width=8, helix_angle=np.radians(float(helix)))
+    parts = GearPair(pinion, wheel, backlash=0.1).facts()["parts"]
+    (gear,) = parts[1]["gears"]
+    named = {name.rsplit("_", 2)[0] for name in gear if "_pins_" in name or "_balls_" in name}
+    assert named == {size}
+    assert ("ball_diameter_mm" in gear) == (size != "over_pins")
+    assert gear[f"{size}_min_mm"] <= gear[f"{size}_max_mm"]

@@ -522,6 +522,20 @@ def test_the_list_holds_what_other_cars_are_mounted_with(given: list[str]) -> No
     assert lacking(put_together(plan_cam(design, "actual", judged=False), plan_gears(design))) == []
 
 
+@pytest.mark.slow
+def test_the_list_has_set_screws_of_the_stated_threads(car: CarAssembly) -> None:
+    """Two of M3 are on the packaged car: in the hub of its drive, as the design states, and in the wheel's."""
+    stated = ["train.drive.hub.set_screw_thread=M4 x 0.7", "train.drive.hub.set_screw_mm=3.3"]
+    design = load_design("workshop_car", stated)
+    other = put_together(plan_cam(design, "actual", judged=False), plan_gears(design))
+
+    def screws(of: CarAssembly) -> dict[str, int]:
+        return {part.standard: part.further for part in of.parts if part.code.startswith("set-screws")}
+
+    assert screws(car) == {"ISO 4029, M3 x 4": 2}
+    assert screws(other) == {"ISO 4029, M3 x 4": 1, "ISO 4029, M4 x 4": 1}
+
+
 @pytest.mark.parametrize("torque", [2.0, 25.0, 400.0])
 def test_a_leg_spring_bears_its_torque(torque: float) -> None:
     """Bending of a round wire: stress M / W with W = π d³/32, no wire of the next size below would do."""

@@ -10,6 +10,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.figures import Figures
+from cadgen.gears.inspection import gauge_in
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
@@ -96,7 +97,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
     hand = Message("right") if (helix or 0) > 0 else Message("left")
     rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
     apart, deviation = rounded(stage.centre_distance, 4), stage.distance_deviation
-    pins = Message("over balls, mm") if helix else Message("over pins, mm")
+    pins, gauge = Message("over balls, mm") if helix else Message("over pins, mm"), gauge_in(gear)
     rows: list[tuple[str, str]] = [
         (Message("module m_n"), mm("module", 4)),
         (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
@@ -131,8 +132,8 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         (Message("spaces spanned k") if ring else Message("teeth spanned k"), plain("teeth_spanned")),
         (Message("span W_k, mm"), limits("span")),
         (Message("span needs a face of"), mm("span_width_needed") if gear.value("span_max") is None else ""),
-        (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm("pin_diameter")),
-        (Message("between balls, mm") if ring else pins, limits("over_pins")),
+        (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm(gauge.diameter)),
+        (Message("between balls, mm") if ring else pins, limits(gauge.size)),
         (
             Message("contact + overlap ratio") if helix else Message("contact ratio"),
             " + ".join(

@@ -202,7 +202,7 @@ def tooth_artifact(name: str, content: GearContent) -> Artifact:
             off[curve] = error * 1e3
             fault = Message("has {curve}s {error:.2g} µm off", curve=curve, error=off[curve])
             require(off[curve] <= limit, name, fault)
-    words = "flank {flank:.5f} root {root:.4f} µm" if "flank" in off else "rim {rim:.5f} µm"
+    words = "flank off {flank:.5f}, root {root:.4f} µm" if "flank" in off else "rim off {rim:.5f} µm"
     reading = Message(words, **off) if off else ""
     return Artifact(name, Facts(**{f"{curve}_error_um": error for curve, error in off.items()}), (reading,))
 

@@ -11,6 +11,7 @@ from cadgen.check import Bound, Check
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.deviations.deviation import Place
 from cadgen.figures import Cell, Emphasis, Figures, Sheet, number
+from cadgen.gears.inspection import gauge_in
 from cadgen.gears.layout import TrainLayout
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.comparison import PlayComparison
@@ -399,17 +400,21 @@ def _lift_table(plan: CamPlan) -> Sheet:
 
 def _gear_sizes(layout: TrainLayout) -> Sheet | None:
     """Span and size over pins of each gear; None for wheels without teeth."""
-    columns = (
-        ("teeth", 0),
-        ("teeth_spanned", 0),
-        ("span_min", 3),
-        ("span_max", 3),
-        ("pin_diameter", None),
-        ("over_pins_min", 3),
-        ("over_pins_max", 3),
-    )
+
+    def columns(gear: Figures) -> tuple[tuple[str, int | None], ...]:
+        gauge = gauge_in(gear)
+        return (
+            ("teeth", 0),
+            ("teeth_spanned", 0),
+            ("span_min", 3),
+            ("span_max", 3),
+            (gauge.diameter, None),
+            (f"{gauge.size}_min", 3),
+            (f"{gauge.size}_max", 3),
+        )
+
     rows: list[tuple[Cell | str, ...]] = [
-        (part.name, *(gear[code].cell(digits=digits) for code, digits in columns), "")
+        (part.name, *(gear[code].cell(digits=digits) for code, digits in columns(gear)), "")
         for part, gears in zip(layout.parts, gear_figures(layout), strict=True)
         for gear in gears.values()
         if "span_max" in gear
