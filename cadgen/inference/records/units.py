@@ -96,7 +96,7 @@ TIMES = ("t", "seconds")
 MISSING = frozenset(
     (
         *("", "nan", "na", "n/a", "null", "none", "missing", "lost", "?", "*", "-", "--", "---", "----", "–", "—"),
-        *("inf", "-inf", "#n/a", "#na", "#nv", "#div/0!", "#value!", "#wert!", "#num!", "#zahl!", "#ref!", "#bezug!"),
+        *("#n/a", "#na", "#nv", "#div/0!", "#value!", "#wert!", "#num!", "#zahl!", "#ref!", "#bezug!"),
     )
 )
 # Columns beside positions that say nothing of the cam.
