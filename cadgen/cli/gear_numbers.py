@@ -424,13 +424,14 @@ def pair(
         for number, (count, of) in enumerate(zip(counts, hands, strict=True))
     ]
     gears = [Gear(**own, **each) for own, each in zip(teeth_of, arguments, strict=True)]
-    if toml:
-        text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
-        click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
-        return
     if backlash_um is not None and backlash_deg is not None:
         raise click.UsageError(Message("--backlash-um and --backlash-deg are both given; give one of them"))
     backlash = _backlash(gears, backlash_um, backlash_deg, common)
+    if toml:
+        GearPair(*gears, backlash=backlash, **common)  # refuses what no pair can be
+        text = _pair_toml(gears, backlash_um, backlash_deg, centre_distance_mm, bearing_span_mm)
+        click.echo(text.replace("[train]\n", '[train]\nstandard = "free"\n', 1) if free else text, nl=False)
+        return
     if propose_shifts:
         bare = GearPair(*gears, backlash=backlash, **common | {"centre_distance": None})
         _proposals(bare.propose_shifts(centre_distance_mm, least_land), as_json)

@@ -261,3 +261,10 @@ def test_the_sizes_of_a_train_are_named_by_what_they_are_measured_with(helix, in
     assert named == {size}
     assert ("ball_diameter_mm" in gear) == (size != "over_pins")
     assert gear[f"{size}_min_mm"] <= gear[f"{size}_max_mm"]
+
+
+def test_a_pair_that_no_body_holds_is_not_printed_as_a_design():
+    """A root of 9.5 mm has no room for a bore of 20."""
+    result = run("pair", "--teeth", "12,40", "--module", 1, "--width", 8, "--bore-diameter", 20, "--toml")
+    assert result.exit_code != 0
+    assert "bore" in result.output

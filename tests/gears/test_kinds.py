@@ -128,7 +128,7 @@ def test_the_command_takes_it_from_the_design_to_its_files(gears, tmp_path):
     said = " ".join(result.stdout.split())
     assert "discs 20/60" in said
     assert "torque before the discs slip" in said
-    assert "rim 0.00000 µm" in said
+    assert "rim off 0.00000 µm" in said
     names = {path.name for path in (tmp_path / "out").iterdir()}
     parts = ("1_pinion", "2_cluster", "3_wheel")
     assert names >= {f"discs_as-given_{part}.{ending}" for part in parts for ending in ("step", "stl")}

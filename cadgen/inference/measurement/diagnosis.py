@@ -127,13 +127,17 @@ def weigh_parts(
         joint = replace(joint, parts=tuple(quieter))
         found = find(joint, usual, starts)
     judgement, best = judge(joint, found)
-    if judgement.claimed and shapes_of(best):
+    searched: set[str] = set()
+    while shapes_of(best) and (names := [name for name in judgement.claimed if name not in searched]):
         # What stands for a name, where something has none, is searched for: few subsets without it were fitted.
-        for name in judgement.claimed:
+        known = {h.key: h for h in reversed(found)}
+        for name in names:
             progress(Message("{source}: searching without {name}", source=joint.source, name=Message(name)))
             start = not_holding(best.effects, name), best.active
-            found += [h for h in find(joint, usual, [start], name) if h.effects]
-        found.sort(key=lambda h: h.score)
+            for h in find(joint, usual, [start], name):
+                known[h.key] = min(h, known.get(h.key, h), key=lambda h: h.score)
+        searched |= set(names)
+        found = sorted(known.values(), key=lambda h: h.score)
         judgement, best = judge(joint, found)
     found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)

@@ -26,6 +26,7 @@ _POINT_GROUPS = re.compile(rf"{_SIGN}[1-9]\d{{0,2}}(\.\d{{3}})+(,\d*)?")
 _COMMA_GROUPS = re.compile(rf"{_SIGN}\d{{1,3}}(,\d{{3}})+(\.\d*)?")
 _ANGLE = re.compile(rf"({_SIGN})(\d+)\s*°\s*(?:(\d+(?:[.,]\d*)?)\s*['′’]\s*(?:(\d+(?:[.,]\d*)?)\s*(?:\"|″|''|”)?)?)?")
 _COLONS = re.compile(rf"({_SIGN})(\d+):([0-5]?\d):([0-5]?\d(?:[.,]\d*)?)")
+_SIXTY = 60.0  # minutes of a degree; rounding writes 59'60"
 _BY_COLONS = ("dms", "d:m:s", "d m s", "°'\"", "° ' \"")
 _WITH_UNIT = re.compile(r"([+-]?[\d.,]+(?:[eE][+-]?\d+)?)\s*([^\d\s.,+-].*)")
 
@@ -41,6 +42,8 @@ def plain_numbers(table: TableRows, name: str) -> TableRows:
         FileError: commas or points that may set thousands apart or be decimal marks.
     """
     called, plain, notes = list(table.names), list(table.columns), list[Message]()
+    for column in plain:
+        _refuse_thousands_by_points(column, name)
     odd = [k for k, column in enumerate(plain) if not all(map(_POINT.fullmatch, column))]
     if not odd:
         return table
@@ -77,14 +80,20 @@ def _angles(name: str, column: Column) -> tuple[str, Column] | None:
     if has.unit and has.unit.lower() not in _BY_COLONS and has.factor("deg") != 1.0:
         return None
 
+    def parts(match: re.Match[str]) -> list[float]:
+        return [float((part or "0").replace(",", ".")) for part in match.groups()[1:]]
+
     def degrees(match: re.Match[str] | str | None) -> str:
         if match is None or isinstance(match, str):
             return ""
-        whole, minutes, seconds = (float((part or "0").replace(",", ".")) for part in match.groups()[1:])
+        whole, minutes, seconds = parts(match)
         return repr((-1.0 if match[1] == "-" else 1.0) * (whole + minutes / 60 + seconds / 3600))
 
-    bare = re.sub(r"\s*[\[(][^\[\]()]*[\])]\s*$", "", name) if has.unit else name
-    return f"{bare} [deg]", tuple(degrees(match) for match in found)
+    if any(part > _SIXTY for match in matches if isinstance(match, re.Match) for part in parts(match)[1:]):
+        return None
+    if not has.unit or has.factor("deg") is None:
+        name = re.sub(r"\s*[\[(][^\[\]()]*[\])]\s*$", "", name) + " [deg]"
+    return name, tuple(degrees(match) for match in found)
 
 
 def _without_unit(name: str, column: Column, file: str) -> tuple[str, Column] | None:
@@ -136,16 +145,28 @@ def _decimal_marks(columns: Sequence[Column], name: str) -> tuple[Callable[[str]
         )
     if not any(_COMMA.fullmatch(cell) for cell in cells):
         return (lambda cell: cell), []
+    pointed = any("." in cell and _POINT.fullmatch(cell) for cell in cells)
     for column in columns:
         # A comma may set thousands apart, as 1,250 beside 980 or 0.5 does.
         commas = [cell for cell in column if _COMMA.fullmatch(cell)]
         others = [cell for cell in column if _POINT.fullmatch(cell)]
         grouped = all(_GROUPS.fullmatch(cell) and not re.match(r"[+-]?0", cell) for cell in commas)
-        if commas and others and (grouped or any("." in cell for cell in others)):
+        if commas and (others or pointed) and (grouped or any("." in cell for cell in others)):
             raise _unclear(name, commas[0])
-        if grouped_by_points := [cell for cell in others if _POINT_GROUPS.fullmatch(cell)]:
-            raise _unclear(name, grouped_by_points[0])
+        # A column with other decimals, or with 0.500, has decimal points for certain.
+        points = [cell for cell in others if "." in cell]
+        if points and all(map(_POINT_GROUPS.fullmatch, points)):
+            raise _unclear(name, points[0])
     return _of_comma, [Message("it has decimal commas")]
+
+
+def _refuse_thousands_by_points(column: Column, name: str) -> None:
+    """Refuse points that may set thousands apart: 990 and 1.080 in a column, where decimals would read 990.000."""
+    numbers = [cell for cell in column if _POINT.fullmatch(cell)]
+    points = [cell for cell in numbers if "." in cell]
+    grouped = len(points) < len(numbers) and points and all(map(_POINT_GROUPS.fullmatch, points))
+    if grouped and any(cell.endswith("0") for cell in points):
+        raise _unclear(name, points[0])
 
 
 def _of_comma(cell: str) -> str:
@@ -158,7 +179,8 @@ def _grouped_by_points(cell: str) -> str:
 
 def _unclear(name: str, cell: str) -> FileError:
     return FileError(
-        "{name}: its commas may stand for decimal points or for thousands, as in {cell}; save it with decimal points",
+        "{name}: its commas or points may be decimal marks or set thousands apart, as in {cell}; save it with decimal "
+        "points",
         name=name,
         cell=brief(cell.strip()),
     )

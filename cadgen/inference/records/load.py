@@ -38,7 +38,7 @@ from cadgen.inference.records.cell_numbers import plain_numbers
 from cadgen.inference.records.columns import AS_NAMED, Match, Reading, match_columns
 from cadgen.inference.records.side_by_side import brought_under
 from cadgen.inference.records.table_rows import TableRows, each_once, rows_of, thinned, with_numbers
-from cadgen.inference.records.text_table import HEAD_LINES, Head, head_of, is_remark, text_of
+from cadgen.inference.records.text_table import HEAD_LINES, head_of, is_remark, text_of
 from cadgen.inference.records.units import TIMES, WORDS, heading, other_length
 from cadgen.messages import Message
 from cadgen.reading import read_regular
@@ -85,7 +85,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
         match_columns(head.names, name, among, reading)
         raise
     table, match = _matched(plain_numbers(rows, name), name, among, reading)
-    _refuse_unit_of_remark(head, table.names, match, reading, name)
+    _refuse_unit_of_remark((*head.remarks, *table.passed), table.names, match, reading, name)
     kind = match.kind
     table = with_numbers(table, [match.places[column.name].index for column in kind.columns if not column.words])
     if not kind.counts:
@@ -109,6 +109,11 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
             place = match.places[column.name]
             columns[column.name] = _numbers(table.columns[place.index], column, table.lines, name, place.factor)
     key = match.places.get(kind.key)
+    # Titles stand for the cells of runs that are empty.
+    if key is not None and not any(table.columns[key.index]):
+        key = None
+    if key is not None:
+        _refuse_runs_in_blocks(table, table.columns[key.index], name)
     keys = np.array([str(block) for block in table.blocks] if key is None else table.columns[key.index])
     if key is None:
         one = Message("without a column {key} it is one run", key=kind.key)
@@ -152,7 +157,23 @@ def _matched(table: TableRows, name: str, among: Sequence[Kind], reading: Readin
     return table, match_columns(table.names, name, among, reading)
 
 
-def _refuse_unit_of_remark(head: Head, names: Sequence[str], match: Match, reading: Reading, name: str) -> None:
+def _refuse_runs_in_blocks(table: TableRows, runs: Sequence[str], name: str) -> None:
+    """Refuse a run that stands in two blocks of rows: it may be two runs."""
+    first: dict[str, int] = {}
+    for run, block, line in zip(runs, table.blocks, table.lines, strict=True):
+        if first.setdefault(run, block) != block:
+            raise FileError(
+                "{name}, line {line}: run {run} stands under another head already: number the runs apart, or take the "
+                "lines between its rows out",
+                name=name,
+                line=line,
+                run=brief(run),
+            )
+
+
+def _refuse_unit_of_remark(
+    remarks: Sequence[str], names: Sequence[str], match: Match, reading: Reading, name: str
+) -> None:
     """Refuse another unit than mm that a title or remark alone says, where a column of lengths has none."""
     bare = (
         names[place.index]
@@ -163,9 +184,9 @@ def _refuse_unit_of_remark(head: Head, names: Sequence[str], match: Match, readi
         and not heading(names[place.index]).unit
     )
     column = next(bare, None)
-    if column is not None and (said := other_length(head.remarks)):
+    if column is not None and (said := other_length(remarks)):
         raise FileError(
-            "{name}: a line above its table says {unit}, and the column {column} has no unit: write it there, as in "
+            "{name}: a line beside its table says {unit}, and the column {column} has no unit: write it there, as in "
             '"{column} [{unit}]"',
             name=name,
             unit=said[1],

@@ -5,9 +5,11 @@ words for the two directions, as `lift forward, lift reverse`. Columns that stan
 """
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from itertools import count
+
+import numpy as np
 
 from cadgen.inference.records.table_rows import TableRows
 from cadgen.inference.records.units import DIRECTIONS, FLANKS, MISSING, TIMES, heading, unit_of
@@ -21,6 +23,9 @@ _BEFORE = re.compile(rf"{_RUN}[\s_.#]*(\d{{1,2}})[次\s:_.\-]+(.*)", re.IGNORECA
 _ALSO = {"up": "forward", "auf": "forward", "down": "reverse", "ab": "reverse"}
 _BY_WORDS = {"direction": DIRECTIONS | _ALSO, "flank": FLANKS}
 _LETTERS = 2  # of a word for a direction
+_CLOCKS = ("frame", "frames", "sample", "samples", "image", "bild", "帧", "帧号")
+_NEAR = 0.01  # of the extent of a path, within which two runs of it lie
+_RIGID = 0.05  # share by which the distance of two points of one body varies at most, as measured
 _FORWARD, _REVERSE = "forward", "reverse"
 _SAME_ORDER = ("lift",)  # quantities that have a column of directions
 
@@ -50,17 +55,20 @@ def brought_under(table: TableRows, known: Collection[str]) -> tuple[TableRows, 
         return None
     shared = [k for k, (base, _) in enumerate(parts) if base not in owned]
     word = next((column for column, words in _BY_WORDS.items() if set(groups) <= set(words.values())), None)
-    # By one clock these are two markers, and no runs.
-    if not word and any(heading(names[k]).quantity in TIMES for k in shared):
+    several = frozenset(heading(base).quantity for base in owned)
+    pairs = [[columns[places[base]] for base in owned] for places in own.values()]
+    # Positions by one clock, or always as far apart, are of two markers, and no runs.
+    clocks = {*TIMES, *_CLOCKS}
+    if several & {"x", "y"} and (word or any(heading(names[k]).quantity in clocks for k in shared) or _rigid(pairs)):
         return None
     ordered = sorted(owned, key=lambda base: own[groups[0]][base])
     out: list[tuple[str, ...]] = []
     places, runs = list[int](), list[int]()
-    several = frozenset(heading(base).quantity for base in owned)
     for group, number in zip(groups, count()):
         order = range(len(columns[0]))
-        # A way back is read from its end, and belongs to the run of the way there.
+        # A way back beside the rows of the way there is read from its end, and belongs to the run of that.
         back = group == _REVERSE and not several & set(_SAME_ORDER)
+        back = back and not any(_turns(columns[own[groups[0]][base]], columns[own[group][base]]) for base in owned)
         for row in reversed(order) if back else order:
             cells = [columns[own[group][base]][row] for base in ordered]
             if all(cell.lower() in MISSING for cell in cells):
@@ -80,6 +88,27 @@ def brought_under(table: TableRows, known: Collection[str]) -> tuple[TableRows, 
     )
     note = Message("runs stand side by side, with {columns} of their own", columns=joined(ordered, ", "))
     return beside.noted(note), several
+
+
+def _finite(column: Collection[str]) -> list[float]:
+    """Numbers of a column, without cells that hold none."""
+    return [float(cell) for cell in column if re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", cell)]
+
+
+def _turns(there: Collection[str], back: Collection[str]) -> bool:
+    """Whether a column goes the other way on the way back, as in the order of time."""
+    ends = [numbers[-1] - numbers[0] for numbers in map(_finite, (there, back)) if len(numbers) > 1]
+    return len(ends) == len("xy") and ends[0] * ends[1] < 0
+
+
+def _rigid(pairs: Sequence[Sequence[Sequence[str]]]) -> bool:
+    """Whether the points of the first two groups are always as far apart as on one body."""
+    first, second = ([_finite(column) for column in columns] for columns in pairs[:2])
+    if len({len(column) for column in (*first, *second)}) != 1 or not first[0]:
+        return False
+    apart = np.sqrt(np.sum((np.array(first) - np.array(second)) ** 2, axis=0))
+    # Two runs of one path lie nearer than a body is long.
+    return bool(apart.mean() > _NEAR * np.ptp(first, axis=1).max() and apart.std() < _RIGID * apart.mean())
 
 
 def _part(name: str, known: Collection[str]) -> tuple[str, str | None]:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from cadgen.errors import FileError
+from cadgen.errors import FileError, brief
 from cadgen.inference.records.text_table import Head, split_line
 from cadgen.inference.records.units import IDLE, MISSING, heading, unit_of
 from cadgen.messages import Message, joined
@@ -24,6 +24,7 @@ _SUMMARIES = frozenset(
 )
 _TITLE_CELLS = 2  # of the title of a run, such as `Run` and `2`
 _MOST_LINES = 12  # behind the rows, which are passed over
+MOST_LOST = 0.2  # of the rows: where more lack a number, that says something
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,7 @@ class TableRows:
         lines: number of each row's line in the file.
         columns: cells of each column.
         blocks: number of the block of each row, from 0.
+        passed: text of titles and other lines that are no rows.
         notes: what was understood besides rows.
     """
 
@@ -42,6 +44,7 @@ class TableRows:
     lines: tuple[int, ...]
     columns: tuple[tuple[str, ...], ...]
     blocks: tuple[int, ...]
+    passed: tuple[str, ...] = ()
     notes: tuple[Message, ...] = ()
 
     def where(self, rows: Sequence[int]) -> "TableRows":
@@ -77,7 +80,10 @@ def rows_of(head: Head, name: str) -> TableRows:
     # Lines that are no rows, which stand behind the last row or under the names.
     odd: list[tuple[int, list[str]]] = []
     above: list[int] = []
+    # Rows that sum up those of their block, and the words that they have there.
     summed: list[int] = []
+    words: list[str] = []
+    passed: list[str] = []
     for number, line in head.body:
         cells = split_line(line, head.mark, number, name)
         while len(cells) > width and not cells[-1]:
@@ -87,28 +93,38 @@ def rows_of(head: Head, name: str) -> TableRows:
         first = next((cell for cell in cells if cell), "")
         if not first:
             continue
+        word = first.lower().rstrip(":")
         if tuple(cells) in head.printed or _is_title(cells, first):
-            block = len(set(blocks))
-        elif first.lower().rstrip(":") in _SUMMARIES:
+            block, words = len(set(blocks)), []
+            passed += [line] if tuple(cells) not in head.printed else []
+        elif word in _SUMMARIES and word not in words and rows:
             summed.append(number)
+            words.append(word)
+        elif word in _SUMMARIES:
+            raise _no_summary(name, number, first)
         elif len(cells) != width or not any(map(_may_be_number, cells)):
             odd.append((number, cells))
+            passed.append(line)
         else:
-            if odd and (rows or not _are_words(odd, width)):
+            if words:
+                raise _no_summary(name, summed[-1], words[-1])
+            if odd and (rows or not _are_words(odd)):
                 raise _other_length(name, *odd[0], width)
             above += [at for at, _ in odd]
             odd = []
             lines.append(number)
             rows.append(cells)
             blocks.append(block)
-    if len(odd) > _MOST_LINES or not all(any(map(_is_word, cells)) for _, cells in odd):
-        raise _other_length(name, *odd[0], width)
+    for number, cells in odd:
+        # Two numbers may be a row, whatever else stands beside them.
+        if len(odd) > _MOST_LINES or not any(map(_is_word, cells)) or sum(map(_may_be_number, cells)) > 1:
+            raise _other_length(name, number, cells, width)
     if not rows:
         if odd:
             raise _other_length(name, *odd[0], width)
         raise FileError("{name}: no row stands under its header; add what was measured", name=name)
     over = sorted([*above, *summed, *(at for at, _ in odd)])
-    passed = Message("lines that are no rows are passed over: {lines}", lines=joined(map(str, over), ", "))
+    said = Message("lines that are no rows are passed over: {lines}", lines=joined(map(str, over), ", "))
     columns = list(zip(*rows, strict=True))
     kept = [k for k, called in enumerate(head.names) if called or any(columns[k])]
     return TableRows(
@@ -116,7 +132,8 @@ def rows_of(head: Head, name: str) -> TableRows:
         tuple(lines),
         tuple(columns[k] for k in kept),
         tuple(blocks),
-        (passed,) if over else (),
+        tuple(passed),
+        (said,) if over else (),
     )
 
 
@@ -135,10 +152,20 @@ def _is_word(cell: str) -> bool:
     return any(map(str.isalpha, cell)) and cell.lower() not in MISSING
 
 
-def _are_words(odd: list[tuple[int, list[str]]], width: int) -> bool:
+def _are_words(odd: list[tuple[int, list[str]]]) -> bool:
     """Whether lines under the names hold words alone, of which none is a unit."""
-    cells = [cell for _, row in odd for cell in row if cell]
-    return not any(_may_be_number(cell) or unit_of(cell.strip("[]() ")) for cell in cells)
+    words = [word for _, row in odd for cell in row for word in (cell, *cell.split())]
+    return not any(_may_be_number(word) or unit_of(word.strip("[]()., ")) for word in words)
+
+
+def _no_summary(name: str, line: int, word: str) -> FileError:
+    return FileError(
+        "{name}, line {line}: {word} begins a row that sums others up, and stands twice or before rows: take the line "
+        "out, or call the run otherwise",
+        name=name,
+        line=line,
+        word=brief(word),
+    )
 
 
 def _other_length(name: str, line: int, cells: list[str], width: int) -> FileError:
@@ -166,8 +193,8 @@ def with_numbers(table: TableRows, numeric: Sequence[int]) -> TableRows:
     rows = range(len(table.lines))
     kept = [row for row in rows if not any(table.columns[k][row].lower() in MISSING for k in numeric)]
     lost = len(rows) - len(kept)
-    # A column that is mostly empty is no column of points that were lost.
-    if not lost or lost > len(kept):
+    # A column that is empty here and there is no column of points that were lost.
+    if not lost or lost > MOST_LOST * len(rows):
         return table
     return table.where(kept).noted(Message("{count} rows without a number are left out", count=lost))
 
@@ -187,7 +214,7 @@ def each_once(table: TableRows, used: Sequence[int]) -> TableRows:
 
 
 def thinned(table: TableRows, most: int) -> TableRows:
-    """One row in so many that no more are left than can be judged, as of a log of a thousand rows a second.
+    """Table with every k-th row, so that no more are left than can be judged: logs have a thousand rows a second.
 
     Args:
         table: rows of a table.

@@ -11,7 +11,7 @@ import pytest
 from cadgen.errors import FileError
 from cadgen.inference.gearing.flank_kinds import GEAR_KINDS
 from cadgen.inference.records.columns import Reading
-from cadgen.inference.records.load import TRIAL, load, read_trials
+from cadgen.inference.records.load import TRIAL, load, load_text, read_trials
 
 ANGLES = np.arange(0.0, 360.0, 3.0)
 # A track of a curve in mm, to a tenth; no two numbers of a row are equal.
@@ -198,7 +198,7 @@ REFUSED = {
     "commas for both": (text(named(), comma=True).replace('"', ""), "cells under 4 columns"),
     "thousands": (
         "run;cam_angle_deg;x_mm;y_mm\n" + "".join(f"1;{k};{1000 + 7 * k:,};{k}\n" for k in range(-70, 90)),
-        "decimal points or for thousands",
+        "decimal marks or set thousands apart, as in 1,000",
     ),
     "no names": (text(named()).split("\n", 1)[1], "no kind of measured data"),
     "positions by time": (text({"time": ANGLES / 10, "x": X, "y": Y}), "add cam_angle_deg beside them"),
@@ -210,7 +210,7 @@ REFUSED = {
     "points for thousands beside decimal commas": (
         "motor angle [deg];cam angle [deg]\n"
         + "".join(f"{90 * k:,};2_{k:04d}\n" for k in range(60)).replace(",", ".").replace("_", ","),
-        "decimal points or for thousands, as in 1.080",
+        "decimal marks or set thousands apart, as in 1.080",
     ),
     "a cam angle that is not understood beside the motor's": (
         text({"motor [deg]": ANGLES * 45, "pos 2 [deg]": ANGLES}),
@@ -228,6 +228,51 @@ REFUSED = {
         text({"t": ANGLES / 10, "angle [deg]": ANGLES, "x1": X, "y1": Y, "x2": X + 9, "y2": Y}),
         "no kind of measured data",
     ),
+    "two markers by frames": (
+        text({"frame": ANGLES, "x1": X, "y1": Y, "x2": X + 9 * np.sin(ANGLES), "y2": Y}),
+        "no kind of measured data",
+    ),
+    "two markers of one body": (
+        text({"angle": ANGLES, "x1": X, "y1": Y, "x2": X + 300, "y2": Y}),
+        "no kind of measured data",
+    ),
+    "two wheels": (
+        text({"angle": ANGLES, "x left": X, "y left": Y, "x right": X, "y right": Y + 80}),
+        "no kind of measured data",
+    ),
+    "units in words under the names": (
+        text(named("", "angle", "x", "y")).replace("\n", "\nin degrees,in inches,in inches\n", 1),
+        "line 2: no number stands in it",
+    ),
+    "a unit behind the table": (
+        text(named("run", "theta", "x", "y")) + "all positions in inches\n",
+        "beside its table says inches",
+    ),
+    "a unit in the title of a run": (
+        "Run 1 (inches),,\n" + text(named("", "angle", "x", "y")),
+        "beside its table says inches",
+    ),
+    "a run under two heads": (text(named()) + text(named() | {"x_mm": X + 1.7}), "run 1 stands under another head"),
+    "runs called min and mid": (
+        "run,cam_angle_deg,x_mm,y_mm\n"
+        + "".join(f"{run},{row}\n" for run in ("min", "mid") for row in text(named(run="")).splitlines()[1:]),
+        "min begins a row that sums others up",
+    ),
+    "runs called mid and max": (
+        "run,cam_angle_deg,x_mm,y_mm\n"
+        + "".join(f"{run},{row}\n" for run in ("mid", "max") for row in text(named(run="")).splitlines()[1:]),
+        "max begins a row that sums others up",
+    ),
+    "thousands in one column, decimals in another": (
+        "motor angle [deg],cam angle [deg]\n" + "".join(f'"{1000 + 60 * k:,}",{6 * k + 0.25}\n' for k in range(60)),
+        "set thousands apart, as in 1,000",
+    ),
+    "thousands by points alone": (
+        "motor angle [deg];cam angle [deg]\n" + "".join(f"{90 * k:,};{2 * k}\n".replace(",", ".") for k in range(60)),
+        "set thousands apart, as in 1.080",
+    ),
+    "last rows with a cell too many": (text(named(run="")).rstrip() + ",touched\n", "4 cells under 3 columns"),
+    "75 minutes": (text(named(run="") | {"cam_angle_deg": [f"{a:g}°75'" for a in ANGLES]}), "finite number"),
     "a line that broke off": (text(named()).rstrip()[:-8] + "\n", "3 cells under 4 columns"),
     "a column that is mostly empty": (text(named() | {"x_mm": ["", "", "1.5"] * 40}), "finite number"),
     "a unit in a title alone": (
@@ -412,3 +457,29 @@ def test_a_workbook_that_is_damaged_or_a_bomb_is_refused(tmp_path):
         parts.writestr("xl/sharedStrings.xml", bytes(210_000_000))
     with pytest.raises(FileError, match="holds 210 MB, more than the 200"):
         load(path)
+
+
+@pytest.mark.parametrize(
+    ("header", "row"),
+    [
+        ("motor forward [deg],cam forward [deg],motor reverse [deg],cam reverse [deg]", "{up},{there},{down},{back}"),
+        ("motor forward [deg],cam forward [deg],motor reverse [deg],cam reverse [deg]", "{up},{there},{up},{same}"),
+        ("motor [deg],cam forward [deg],cam reverse [deg]", "{up},{there},{same}"),
+    ],
+    ids=["in the order of time", "by rising angles", "beside one column of angles"],
+)
+def test_a_way_back_goes_back(header, row):
+    """By rising angles the way back stands in the order of the way there; in time it falls already."""
+    ups = [60.0 * k for k in range(60)]
+    lines = [
+        row.format(up=up, down=ups[-1] - up, there=up / 45, back=(ups[-1] - up) / 45 + 0.4, same=up / 45 + 0.4)
+        for up in ups
+    ]
+    record = load_text("\n".join([header, *lines]), "train.csv")
+    assert list(record.columns["motor_angle_deg"]) == [*ups, *reversed(ups)]
+    np.testing.assert_allclose(record.columns["cam_angle_deg"][60:], np.array(ups[::-1]) / 45 + 0.4)
+
+
+def test_degrees_and_minutes_stand_under_the_name_of_the_page_too():
+    record = load_text(text({"cam_angle_deg": [f"{a:g}°30'" for a in ANGLES], "x_mm": X, "y_mm": Y}), "track.csv")
+    np.testing.assert_allclose(record.columns["cam_angle_deg"], ANGLES + 0.5)
