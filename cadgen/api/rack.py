@@ -119,11 +119,12 @@ class Rack(Stated, OnePart, Pictured):
             distance: distance of the pinion's axis from the reference line, mm.
 
         Raises:
-            DesignError: they do not match, jam or do not meet; or the distance is none.
+            DesignError: they do not match, jam or do not meet; the distance is none, or the pinion's bore has no room.
         """
         if not isinstance(pinion, Gear):
             raise DesignError("{name} is {value}; it must be a Gear", name="pinion", value=brief(repr(pinion), 60))
         real("distance", distance, 0, 2000, "mm", above=True)
+        pinion.part  # noqa: B018
         return RackMesh(pinion=pinion.form, rack=self.form, distance=float(distance))
 
     def entry(self) -> Facts:

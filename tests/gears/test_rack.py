@@ -138,3 +138,10 @@ def test_what_cannot_be_is_refused_with_a_value_that_can(mesh):
     assert RackForm(teeth=5, normal_module=1.0, width=5.0, fillet_factor=largest).area > 0
     with pytest.raises(DesignError, match="height_mm of at least"):
         RackForm(teeth=5, normal_module=1.0, width=5.0, height=1.0)
+
+
+def test_a_pinion_without_room_for_its_bore_is_refused_on_a_rack():
+    """A root of 9.5 mm holds no bore of 20."""
+    pinion = Gear(teeth=12, module=1.0, width=8.0, bore=20.0)
+    with pytest.raises(DesignError, match="bore"):
+        Rack(teeth=20, module=1.0, width=8.0).meshed(pinion, 6.0)
