@@ -183,6 +183,7 @@ def find(
     usual: Mapping[Quantity, tuple[float, float]] | None = None,
     starts: Sequence[Start] = (),
     without: str | None = None,
+    known: Sequence[Hypothesis] = (),
 ) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them.
 
@@ -191,13 +192,16 @@ def find(
         usual: mean and standard deviation of numbers by their keys over a workshop's cars, internal units.
         starts: subsets to be fitted first, with values to begin from.
         without: name that no subset is to hold.
+        known: subsets of these records that are fitted already, the best fit of each; those that hold that name count
+            for nothing.
     """
     core, named = distinguishable(joint), joint.members
     search = _size(joint, core, usual or {})
     if without is not None:
         core, named = not_holding(core, without), not_holding(named, without)
-    none = fit(joint, (), [], search)
-    fitted = {none.key: none}
+        known = [h for h in known if not_holding(h.effects, without) == h.effects]
+    none = next((h for h in known if not h.effects), None) or fit(joint, (), [], search)
+    fitted = {none.key: none} | {h.key: h for h in known}
     _fit_new(joint, list(starts), fitted, search)
     best = about = min(fitted.values(), key=lambda h: h.score)
     # Members of families are small and many: their tangents at the bare design serve for all rounds.

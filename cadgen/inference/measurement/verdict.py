@@ -1,7 +1,7 @@
 """The verdict: what the rivals and what remains allow to be claimed, in one sentence."""
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import chain, combinations
@@ -112,6 +112,8 @@ LOOSE = 16.0
 BESIDE_UNKNOWN = 40.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
+# Effects that change it, summed, by so many times that are not looked at together.
+_SUMMED = 5.0
 # RMS over the noise that thousands of rows of noise do not reach.
 LEFT_OVER = 1.3
 # Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
@@ -339,15 +341,27 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     form error.
     """
     keys = [e.key for e in h.effects if not e.stage.of_instrument]
-    for some in chain.from_iterable(combinations(keys, size) for size in range(1, len(keys) + 1)):
+    least = LEAST_OF_FLOOR * np.array([part.model.floor for part in joint.parts])
+
+    def changes(some: Collection[str]) -> list[Array]:
         rest = [(e, v) for e, v in h.active if e.key not in some]
-        for part in joint.parts:
-            change = registered(part.model, part.noise, part.residual(h.active) - part.residual(rest))
-            if np.sqrt(np.mean(change**2)) >= LEAST_OF_FLOOR * part.model.floor:
-                break
-        else:
-            return True
-    return False
+        return [registered(p.model, p.noise, p.residual(h.active) - p.residual(rest)) for p in joint.parts]
+
+    def below(changed: Iterable[Array], times: float = 1.0) -> bool:
+        return all(np.sqrt(np.mean(c**2)) < times * small for c, small in zip(changed, least, strict=True))
+
+    alone = {key: changes((key,)) for key in keys}
+    if any(map(below, alone.values())):
+        return True
+    # What several change is near the sum of what each does: only where that is small are they taken out together.
+    several = chain.from_iterable(combinations(keys, size) for size in range(2, len(keys) + 1))
+    summed = (some for some in several if below(_sums([alone[key] for key in some]), _SUMMED))
+    return any(below(changes(some)) for some in summed)
+
+
+def _sums(changes: Sequence[list[Array]]) -> list[Array]:
+    """Sums over effects of the change of each part's residual."""
+    return [np.sum(part, axis=0) for part in zip(*changes, strict=True)]
 
 
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
