@@ -103,16 +103,38 @@ DIVIDER_ZERO = replace(
     looks_like=PHASE,
     confused_with="phase",
 )
-INDEX_ERROR = Effect(
-    name="index error",
-    stage=ANGLE,
-    parameters=tuple(
-        Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead at {at}", at=at))
-        for part, at in (("cos", "0°"), ("sin", "90°"))
-    ),
-    act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(at.place) + p[1] * np.sin(at.place)),
-    confused_with="an eccentric bore",
-    separated_by="turn the divider by half a turn on the shaft and measure again",
+
+
+def _index_error(order: int, name: str, keys: str, half: str, confused_with: str, separated_by: str) -> Effect:
+    """Error of the divider that repeats so many times a turn."""
+    return Effect(
+        name=name,
+        stage=ANGLE,
+        parameters=tuple(
+            Parameter.of(f"{keys}_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead at {at}", at=at))
+            for part, at in (("cos", "0°"), ("sin", half))
+        ),
+        act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place)),
+        confused_with=confused_with,
+        separated_by=separated_by,
+    )
+
+
+INDEX_ERROR = _index_error(
+    1,
+    "index error",
+    "index",
+    "90°",
+    "an eccentric bore",
+    "turn the divider by half a turn on the shaft and measure again",
+)
+INDEX_ERROR_TWICE = _index_error(
+    2,
+    "index error, twice a turn",
+    "index_twice",
+    "45°",
+    "a joint that leans, lobing of order two",
+    "turn the divider by a quarter of a turn on the shaft and measure again",
 )
 READING_LAG = replace(
     RETURN_ERROR,
@@ -133,4 +155,4 @@ READING_LAG = replace(
 )
 
 PROFILE_INSTRUMENT = (STYLUS_RADIUS, MACHINE_SCALE, AXIS_SCALE, SQUARENESS)
-LIFT_INSTRUMENT = (DIVIDER_ZERO, INDEX_ERROR, READING_LAG)
+LIFT_INSTRUMENT = (DIVIDER_ZERO, INDEX_ERROR, INDEX_ERROR_TWICE, READING_LAG)

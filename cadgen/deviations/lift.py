@@ -96,6 +96,25 @@ SHAFT_RUNOUT = replace(
     confused_with="an eccentric bore",
     separated_by="measure the profile about the bore on a CMM, and put a dial on the shaft",
 )
+BROKEN_EDGES = Effect(
+    name="broken edges",
+    stage=FOLLOWER,
+    parameters=(
+        _um(
+            "broken_edges_um",
+            "+: both edges of the rim are broken more than in the design",
+            30.0,
+            2000.0,
+            -500.0,
+        ),
+    ),
+    # The rod rides on the land between the chamfers, which begins so much farther in on either side.
+    act=lambda seat, p, at: _moved_rod(seat, inner=p[0], outer=-p[0]),
+    deviation=deviation.EDGE_BREAK,
+    places=(Place.CAR, Place.PART),
+    confused_with="a tilted indicator, wear of the edges",
+    separated_by="measure the land of the rim with a caliper, or look at its edges through a magnifier",
+)
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.
     replace(ECCENTRIC_BORE, places=(Place.CAR, Place.PART, Place.PROCESS)),
@@ -131,6 +150,7 @@ LIFT_EFFECTS = (
         confused_with="lever gain",
         separated_by="measure the distance from the fork axis to the disc's faces",
     ),
+    BROKEN_EDGES,
     Effect(
         name="camshaft wobble",
         stage=FOLLOWER,

@@ -20,6 +20,7 @@ from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
+from cadgen.deviations.lift import BROKEN_EDGES
 from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
 from cadgen.messages import Message
 
@@ -141,6 +142,7 @@ TRACK_EFFECTS = (
     RETURN_ERROR,
     SLIDING_FRICTION,
     ECCENTRIC,
+    replace(BROKEN_EDGES, confused_with="driven wheel's offset"),
 )
 
 

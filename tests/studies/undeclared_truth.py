@@ -285,12 +285,12 @@ def _pinion(rng: np.random.Generator) -> Callable[[float], Odd]:
 
 
 def _divider(rng: np.random.Generator) -> Callable[[float], Odd]:
-    """The divider's worm wheel runs out twice a turn: it is an ellipse."""
+    """The divider's plate sits on three jaws, which bend it three times a turn."""
     phase = rng.uniform(0, TURN)
 
     def off(read: np.ndarray, k: float) -> np.ndarray:
         half = len(read) // 2
-        at = WAY + k * np.sin(2 * WAY * DEG + phase)
+        at = WAY + k * np.sin(3 * WAY * DEG + phase)
         return np.interp(at, WAY[:half], read[:half])
 
     return lambda k: Odd(shown=lambda read: off(read, k))
@@ -395,7 +395,6 @@ KINDS = {
     "bent rod": OddKind(("track",), _car("bends"), 0.1, grows={"lever gain": 1.0}),
     "cogging": OddKind(("transmission",), _car("cogs"), 0.5 * DEG),
     "damaged tooth": OddKind(("track", "transmission"), _car("tooth"), 2.0 * DEG),
-    "broken edges": OddKind(("track", "lift"), _car("edge"), 0.3, signed=False),
     "dent": OddKind(("track", "lift", "profile"), _dent, 0.3),
     "spiral tool wear": OddKind(
         ("track", "lift", "profile"), _car("spiral"), 0.1, grows={"cutter compensation": 1.0, "rod radius": 1.0}
@@ -414,7 +413,7 @@ KINDS = {
     "lever that warms up": OddKind(("lift",), _warming_lever, 0.05, grows={"lever gain": 1.0}),
     "sticking rod": OddKind(("lift",), _sticking_rod, 0.3, signed=False),
     "eccentric pinion of the dial": OddKind(("lift",), _pinion, 0.1),
-    "elliptic divider": OddKind(("lift",), _divider, 1.0),
+    "divider on three jaws": OddKind(("lift",), _divider, 1.0),
     "flat on the rod": OddKind(("lift",), _flat_rod, 0.2, signed=False),
     "dial stand that tips": OddKind(("lift",), _loose_stand, 0.2),
     "coarse encoder": OddKind(("transmission",), _coarse, 3.0, signed=False),
