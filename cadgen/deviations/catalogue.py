@@ -15,7 +15,7 @@ from cadgen.deviations.camera import CAMERA_EFFECTS
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect, Quantity
-from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT
+from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT, index_error
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
 from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, eccentric_encoder, runout, tooth_mesh
@@ -154,13 +154,18 @@ _MESHES = Family(
     re.compile(r"tooth mesh of stage (\d{1,2})"),
     lambda match, indices: tooth_mesh(int(match[1]), 1.0),
 )
+_DIVIDERS = Family(
+    (index_error(2),),
+    re.compile(r"index error, order (\d)"),
+    lambda match, indices: index_error(int(match[1])),
+)
 _CAMERAS = Family(
     CAMERA_EFFECTS,
     re.compile("|".join(re.escape(effect.name) for effect in CAMERA_EFFECTS)),
     lambda match, indices: next(effect for effect in CAMERA_EFFECTS if effect.name == match[0]),
 )
 
-LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES,))
+LIFT = Catalogue(*LIFT_EFFECTS, *LIFT_INSTRUMENT, families=(_NOSES, _DIVIDERS))
 PROFILE = Catalogue(*PROFILE_EFFECTS, *PROFILE_INSTRUMENT, families=(_NOSES, _UNDULATIONS))
 TRANSMISSION = Catalogue(*TRAIN_EFFECTS, families=(_RUNOUTS, _ENCODERS, _MESHES))
 TRACK = Catalogue(*TRACK_EFFECTS, families=(_CAMERAS,))

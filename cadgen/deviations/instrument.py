@@ -105,37 +105,30 @@ DIVIDER_ZERO = replace(
 )
 
 
-def _index_error(order: int, name: str, keys: str, half: str, confused_with: str, separated_by: str) -> Effect:
-    """Error of the divider that repeats so many times a turn."""
+LAST_INDEX = 8  # jaws of a chuck, and what a divider has alike on its plate, are no more
+
+
+def index_error(order: int) -> Effect:
+    """Error of the divider that repeats so many times a turn: the angle is off by p0 cos(n theta) + p1 sin(n theta)."""
+    once = order == 1
     return Effect(
-        name=name,
+        name="index error" if once else Message("index error, order {order}", order=order),
         stage=ANGLE,
         parameters=tuple(
-            Parameter.of(f"{keys}_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead at {at}", at=at))
-            for part, at in (("cos", "0°"), ("sin", half))
+            Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead where {part}(n theta) = 1", part=part))
+            for part in ("cos", "sin")
         ),
         act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place)),
-        confused_with=confused_with,
-        separated_by=separated_by,
+        cause="" if once else "index error",
+        member=not once,
+        confused_with="an eccentric bore" if once else "lobing of the disc",
+        separated_by="turn the divider by half a turn on the shaft and measure again"
+        if once
+        else "turn the divider on the shaft, by half of what the error repeats in, and measure again",
     )
 
 
-INDEX_ERROR = _index_error(
-    1,
-    "index error",
-    "index",
-    "90°",
-    "an eccentric bore",
-    "turn the divider by half a turn on the shaft and measure again",
-)
-INDEX_ERROR_TWICE = _index_error(
-    2,
-    "index error, twice a turn",
-    "index_twice",
-    "45°",
-    "a joint that leans, lobing of order two",
-    "turn the divider by a quarter of a turn on the shaft and measure again",
-)
+INDEX_ERROR = index_error(1)
 READING_LAG = replace(
     RETURN_ERROR,
     name="lag of the reading",
@@ -155,4 +148,4 @@ READING_LAG = replace(
 )
 
 PROFILE_INSTRUMENT = (STYLUS_RADIUS, MACHINE_SCALE, AXIS_SCALE, SQUARENESS)
-LIFT_INSTRUMENT = (DIVIDER_ZERO, INDEX_ERROR, INDEX_ERROR_TWICE, READING_LAG)
+LIFT_INSTRUMENT = (DIVIDER_ZERO, INDEX_ERROR, READING_LAG)

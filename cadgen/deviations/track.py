@@ -142,7 +142,13 @@ TRACK_EFFECTS = (
     RETURN_ERROR,
     SLIDING_FRICTION,
     ECCENTRIC,
-    replace(BROKEN_EDGES, confused_with="driven wheel's offset"),
+    # A gain besides, and it turns the wheel by less on one side alone.
+    replace(
+        BROKEN_EDGES,
+        twins=("a rod that gives more to one side",),
+        confused_with="driven wheel's offset",
+        separated_by="measure the land of the rim with a caliper, or the lift by a dial",
+    ),
 )
 
 

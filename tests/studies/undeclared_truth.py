@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from cadgen.inference.measurement.record import Record
 from tests.inference.measurement.synthetic import DEG, TURN
@@ -285,13 +286,13 @@ def _pinion(rng: np.random.Generator) -> Callable[[float], Odd]:
 
 
 def _divider(rng: np.random.Generator) -> Callable[[float], Odd]:
-    """The divider's plate sits on three jaws, which bend it three times a turn."""
-    phase = rng.uniform(0, TURN)
+    """A tooth of the divider's worm wheel is damaged: the angle is off about one place."""
+    where = rng.uniform(20, 320)
 
     def off(read: np.ndarray, k: float) -> np.ndarray:
         half = len(read) // 2
-        at = WAY + k * np.sin(3 * WAY * DEG + phase)
-        return np.interp(at, WAY[:half], read[:half])
+        at = WAY + k * np.exp(-(((WAY - where) / 8) ** 2) / 2)
+        return PchipInterpolator(WAY[:half], read[:half])(np.clip(at, WAY[0], WAY[half - 1]))
 
     return lambda k: Odd(shown=lambda read: off(read, k))
 
@@ -392,7 +393,9 @@ KINDS = {
     ),
     "edge worn on one flank": OddKind(("track",), _car("flank"), 0.02),
     "bounce": OddKind(("track",), _car("bounce"), 0.05, signed=False),
-    "bent rod": OddKind(("track",), _car("bends"), 0.1, grows={"lever gain": 1.0}),
+    "bent rod": OddKind(
+        ("track",), _car("bends"), 0.1, grows={"lever gain": 1.0}, twin="a rod that gives more to one side"
+    ),
     "cogging": OddKind(("transmission",), _car("cogs"), 0.5 * DEG),
     "damaged tooth": OddKind(("track", "transmission"), _car("tooth"), 2.0 * DEG),
     "dent": OddKind(("track", "lift", "profile"), _dent, 0.3),
@@ -413,7 +416,7 @@ KINDS = {
     "lever that warms up": OddKind(("lift",), _warming_lever, 0.05, grows={"lever gain": 1.0}),
     "sticking rod": OddKind(("lift",), _sticking_rod, 0.3, signed=False),
     "eccentric pinion of the dial": OddKind(("lift",), _pinion, 0.1),
-    "divider on three jaws": OddKind(("lift",), _divider, 1.0),
+    "damaged tooth of the divider": OddKind(("lift",), _divider, 1.0),
     "flat on the rod": OddKind(("lift",), _flat_rod, 0.2, signed=False),
     "dial stand that tips": OddKind(("lift",), _loose_stand, 0.2),
     "coarse encoder": OddKind(("transmission",), _coarse, 3.0, signed=False),

@@ -35,6 +35,7 @@ _SHAFT = re.compile(r" of (the camshaft|stage \d)$")
 _MANY = {
     "lobing": Message("lobing, order n"),
     "waviness": Message("waviness, order n"),
+    "index error": Message("index error, order n"),
     "runout": Message("runout of ..."),
     "tooth mesh": Message("tooth mesh of ..."),
 }

@@ -456,13 +456,17 @@ def _rate_beside(this: Round, base: Rated, families: Families, search: Search) -
     left = np.swapaxes(right, 1, 2)
     target = this.cross[:, -1] - np.einsum("gkm,gk->gm", this.cross[:, held], solved[:, :, -1])
     square = this.products[:, -1, -1] - np.einsum("gk,gk->g", right[:, :, -1], solved[:, :, -1])
+    held_keys = _keyed(base)  # about the best subset a member answers otherwise than at the bare design
     for alike in families.groups:
         columns, width = alike.columns, alike.columns.shape[1]
         a, b = columns[:, :, None], columns[:, None, :]
         taken = alike.products - np.sum(left[:, a] * np.moveaxis(solved, 1, 2)[:, b], axis=-1)
         score, estimate, sound = _solve(taken, target[:, columns], this.constant + square, alike.size)
         for row in np.argsort(np.where(sound, score, np.inf))[:3]:
-            effects = (*base.effects, families.effects[alike.effects[row]])
+            member = families.effects[alike.effects[row]]
+            if member.key in held_keys:
+                continue
+            effects = (*base.effects, member)
             tail = effects[-1].start.copy()
             tail[:width] = estimate[row]
             values = np.concatenate([base.estimate, tail])

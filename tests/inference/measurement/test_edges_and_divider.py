@@ -1,4 +1,4 @@
-"""Broken edges and a divider that errs twice a turn have names, by a lift, a track or both.
+"""Broken edges and a divider that errs several times a turn have names, by a lift, a track or both.
 
 Cars and records are those of the study of circles, whose generator shares nothing with the package's models.
 """
@@ -10,7 +10,7 @@ import pytest
 
 from cadgen.deviations.lift import BROKEN_EDGES, Seat
 from cadgen.inference.measurement.diagnosis import calibrate
-from tests.studies.circles_truth import DEG, WAY, Car, World, drawn_form
+from tests.studies.circles_truth import CELLS, DEG, Car, World, drawn_form
 
 pytestmark = pytest.mark.slow
 
@@ -36,15 +36,17 @@ def test_broken_edges_are_named_and_measured(world, nominal, kinds):
         assert abs(edges.value - 200.0) < 3 * edges.sigma
 
 
-def test_a_divider_that_errs_twice_a_turn_is_named(world, nominal):
+@pytest.mark.parametrize("order", [2, 3])
+def test_a_divider_that_errs_several_times_a_turn_is_named(world, nominal, order):
     right = world.dial(Car(), np.random.default_rng(3))
-    turn, half = right["cam_angle_deg"], len(WAY) // 2
-    shown = np.interp(turn + 0.2 * np.cos(2 * turn * DEG), WAY[:half], world.shown(Car())[:half], period=360)
+    turn, inner = right["cam_angle_deg"], world.built.follower.inner
+    at = (turn + 0.2 * np.cos(order * turn * DEG)) / 360 * CELLS
+    shown = inner * np.interp(at, np.arange(CELLS), world.lift(Car()), period=CELLS)
     noise = np.random.default_rng(4).normal(0, 4e-3, len(turn))
     (told,) = calibrate([replace(right, columns={**right.columns, "lift_mm": shown + noise})], nominal)
-    assert told.judgement.claimed == ("index error, twice a turn",)
-    assert found(told)["index_twice_cos_deg"].value == pytest.approx(0.2, abs=0.01)
-    assert found(told)["index_twice_sin_deg"].value == pytest.approx(0.0, abs=0.01)
+    assert told.judgement.claimed == (f"index error, order {order}",)
+    assert found(told)["index_cos_deg"].value == pytest.approx(0.2, abs=0.01)
+    assert found(told)["index_sin_deg"].value == pytest.approx(0.0, abs=0.01)
 
 
 def test_the_rod_rides_between_the_broken_edges(synthetic_car):

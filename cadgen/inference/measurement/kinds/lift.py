@@ -8,6 +8,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.catalogue import LIFT
 from cadgen.deviations.disc import NOSE_WIDTHS_DEG, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, through
+from cadgen.deviations.instrument import LAST_INDEX, index_error
 from cadgen.deviations.lift import ANGLE, Readings
 from cadgen.inference.measurement.model import CHANGE, Discrepancy, Model, Rolled, elapsed, fourier, per_run, unknown
 from cadgen.inference.measurement.nominal import Nominal
@@ -45,6 +46,7 @@ class LiftModel(Model):
         self.catalogue = (
             *LIFT.effects,
             *(worn_nose(k, width) for k in range(len(nominal.disc.noses)) for width in NOSE_WIDTHS_DEG),
+            *(index_error(order) for order in range(2, LAST_INDEX + 1)),
         )
         self.offsets = per_run(record.run)
         self.spread, self.discrepancy = unknown(self.offsets), Discrepancy.none(len(angle))
