@@ -222,7 +222,7 @@ _Texture = Annotated[str, AfterValidator(_texture)]
 
 
 class DrawingText(DesignSection):
-    """Texts of the title blocks of drawings, besides the material and the fits of [blank]."""
+    """Texts of the title blocks of drawings, besides the fits of [blank]."""
 
     title: str | None = Field(default=None, description="name of the machine; left out, the design's name")
     finish: str | None = Field(default=None, description="finish of the parts, such as `Ra 1.6`")
@@ -234,6 +234,11 @@ class DrawingText(DesignSection):
     )
     bore_finish: _Texture | None = Field(
         default=None, description="texture of the bores of cams and gears, by its sign, such as `Ra 1.6`"
+    )
+    material: str | None = Field(
+        default=None,
+        description="of the disc as a workshop orders it, such as `aluminium EN AW-6082`, for sheets, lists, masses "
+        "and feeds alone: its friction goes by `blank.material`; left out, that",
     )
     quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
     owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")
@@ -250,7 +255,7 @@ class DrawingText(DesignSection):
     def _fits_a_line(cls, text: str | None) -> str | None:
         return None if text is None else drawn_line(text, LONGEST_LINE)
 
-    @field_validator("finish", "owner", "drawn_by", "approved_by")
+    @field_validator("finish", "material", "owner", "drawn_by", "approved_by")
     @classmethod
     def _fits_a_cell(cls, text: str | None) -> str | None:
         return None if text is None else drawn_line(text, LONGEST_CELL)

@@ -268,7 +268,7 @@ class _Parts:
     def disc(self) -> CarPart:
         """Disc of the cam on the camshaft."""
         plan = self.cam
-        thickness, stated = plan.thickness, plan.making.material
+        thickness, making = plan.thickness, plan.making
         place = still()
         if self.car.turned_over:
             place = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, -1.0, 0.0, 0.0], [0.0, 0.0, -1.0, thickness]])
@@ -280,9 +280,9 @@ class _Parts:
             shape=DiscShape(plan.curve, blank, thickness, chamfers),
             places=(place,),
             group=self.groups[-1],
-            material=Message(str(stated or DiscMaterial.ALUMINIUM)),
-            density=DENSITY[stated or DiscMaterial.ALUMINIUM] * 1e-3,
-            assumed=stated is None,
+            material=making.ordered or Message(str(DiscMaterial.ALUMINIUM)),
+            density=DENSITY[making.material or DiscMaterial.ALUMINIUM] * 1e-3,
+            assumed=making.material is None,
             colour=_DISC_COLOUR,
             standard=plan.stem,
             shaft=len(self.groups),

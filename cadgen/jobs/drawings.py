@@ -144,7 +144,7 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
     keys: dict[str, tuple[str, object]] = {}
     if cam is not None:
         keys = {
-            "material": ("blank.material", cam.making.material),
+            "material": ("blank.material", cam.making.ordered),
             "fit of the bore": ("blank.bore_fit", cam.making.fit.bore),
             **cam.application.open_keys(),
         }
@@ -207,7 +207,7 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
     )
     noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
-    title = title_of(plan.origin, making.title, name, Message(str(making.material or "")), plan.stem, folder)
+    title = title_of(plan.origin, making.title, name, making.ordered, plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan), edge=_EDGES[-1][1]))
 
 

@@ -1,6 +1,5 @@
 """Parts of a frame among the parts of its car."""
 
-import re
 from collections import Counter
 from collections.abc import Iterator
 
@@ -11,7 +10,7 @@ from cadgen.car.assembly.car_parts import Block, CarPart, GroupKind, MovingGroup
 from cadgen.car.assembly.carried import Carried
 from cadgen.car.assembly.frame.bought_parts import Bought, BoughtKind
 from cadgen.car.assembly.panels import BASE_COLOUR, PLATE_COLOUR, Panel, PartPlace
-from cadgen.car.running.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial, named_material
 from cadgen.design import gear_model
 from cadgen.design.frame import FrameSection
 from cadgen.design.train import PlateSection
@@ -212,16 +211,6 @@ def material_of(frame: CarFrame) -> str | None:
     keys = frame.design.frame or FrameSection()
     plates = gear_model.train_keys(frame.design).plate or PlateSection()
     return keys.material or (None if keys.printed else plates.material)
-
-
-def named_material(stated: str | None) -> DiscMaterial | None:
-    """Material that a design's words name, such as steel in `steel C45`; None where they name none that is known.
-
-    Args:
-        stated: material as a design states it; None where it does not.
-    """
-    words = re.findall(r"[^\W\d_]+", (stated or "").lower())
-    return next((each for each in DiscMaterial if each.lower() in words), None)
 
 
 def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float, bool]:

@@ -11,6 +11,7 @@ import numpy as np
 from cadgen.car.assembly.car_parts import Block, Joined
 from cadgen.car.assembly.frame.one_piece import OnePiece, foot_of
 from cadgen.car.assembly.panels import Feature, Panel, rectangle
+from cadgen.car.running.friction import named_material
 from cadgen.curves.contour import Contour
 from cadgen.design import gear_model
 from cadgen.design.frame import Cutting, FrameSection
@@ -19,7 +20,7 @@ from cadgen.design.train import PlateSection
 from cadgen.figures import Facts
 from cadgen.jobs.car_frame import CLEAR, CarFrame
 from cadgen.jobs.drawings import Folder, distance_notes, span_notes, title_of, write_sheet
-from cadgen.jobs.frame_parts import material_of, named_material
+from cadgen.jobs.frame_parts import material_of
 from cadgen.messages import Message
 from cadgen.output.drawing.frame_sheets import PanelText, block_drawing, panel_drawing
 from cadgen.output.drawing.hole_frames import seat_zones

@@ -131,6 +131,7 @@ OFF = {
     "tolerances.eccentricity_mm": 0.01,
     "tolerances.steering_lost_motion_deg": 0.02,
     "tolerances.temperature_K": 5,
+    "drawing.material": "",
     "blank.material": "acrylic",
     "blank.joint": "keyed",
     "blank.joint_clearance_greatest_um": 25,

@@ -33,7 +33,8 @@ def test_the_fit_of_the_bore_adds_half_its_clearance_to_the_eccentricity():
 
 def test_friction_and_drag_vary_within_their_bands(carbon_free_car):
     forces = MechanicsBand(follower=carbon_free_car.follower, friction=(0.05, 0.3), drag=(2.0, 2.0))
-    found = halves("tolerances.wobble_deg=0.1", "tolerances.temperature_K=5", "blank.material=acrylic", forces=forces)
+    acrylic = "blank.material=acrylic", "drawing.material="
+    found = halves("tolerances.wobble_deg=0.1", "tolerances.temperature_K=5", *acrylic, forces=forces)
     assert found["friction"] == pytest.approx(0.125)
     assert "drag" not in found
     assert found["wobble"] == pytest.approx(radians(0.1))
@@ -66,8 +67,8 @@ def test_heat_goes_by_the_materials():
         variation.expansion(load_design("carbon_free_car", changes))
         for changes in (
             (),
-            ("blank.material=acrylic",),
-            ("blank.material=steel", "tolerances.frame_material=steel"),
+            ("drawing.material=", "blank.material=acrylic"),
+            ("drawing.material=", "blank.material=steel", "tolerances.frame_material=steel"),
         )
     )
     assert plain == Expansion()

@@ -149,7 +149,15 @@ def test_half_a_joint_is_refused(overrides, words):
     [
         (("blank.joint=keyed", "blank.joint_fit=JS9/h9", "blank.keyway="), "width is not known"),
         (("blank.joint=d_flat", "blank.joint_fit=JS9/h9"), "blank.joint_across_mm between"),
-        (("train.drive.bore_diameter_mm=", "train.drive.joint=keyed", "train.drive.joint_fit=H7/g6"), "no bore"),
+        (
+            (
+                "train.drive.bore_diameter_mm=",
+                "train.drive.bore_fit=",
+                "train.drive.joint=keyed",
+                "train.drive.joint_fit=H7/g6",
+            ),
+            "no bore",
+        ),
         (("blank.joint=d_flat", "blank.joint_across_mm=7.9", "blank.joint_clearance_greatest_um=200"), "turns round"),
     ],
 )

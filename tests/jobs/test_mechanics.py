@@ -11,6 +11,7 @@ from cadgen.design import cam_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_files import write_cam
+from cadgen.jobs.cam.cam_plan import Making
 from cadgen.jobs.cam.car_facts import comparison_facts, remedy_facts
 from cadgen.jobs.cam.cures import find_cures
 from cadgen.jobs.cam.remedies import remedies
@@ -198,13 +199,32 @@ def test_friction_follows_from_the_materials():
     assert band("mechanics.rod_force_N=1").friction == (0.05, 0.30)
     greased = band("mechanics.rod_force_N=1", "blank.material=aluminium")
     assert greased.friction == (0.05, 0.20)
-    assert band("mechanics.greased=false", "blank.material=PLA").friction == (0.25, 0.60)
+    assert band("mechanics.greased=false", "blank.material=PLA", "drawing.material=").friction == (0.25, 0.60)
     assert band("mechanics.rod_force_N=1", "follower.material=ball_bearing").friction == (0.0, 0.02)
     assert band() is None
     # Materials alone are enough, and a dry rod on an unknown disc is not a greased one.
-    assert band("blank.material=POM").friction == (0.05, 0.15)
+    assert band("blank.material=POM", "drawing.material=").friction == (0.05, 0.15)
     assert band("follower.material=ball_bearing").friction == (0.0, 0.02)
     assert band("mechanics.greased=false").friction == (0.15, 0.60)
+
+
+def test_a_material_of_the_drawing_alone_makes_no_rod_rub():
+    """Fed and weighed goes what the title block says; friction stays what the design says of it."""
+    design = load_design("carbon_free_car")
+    assert design.blank.material is None
+    assert band() is None
+    making = Making.of(design)
+    assert (making.material, making.ordered) == ("aluminium", "aluminium EN AW-6082")
+    unnamed = Making.of(load_design("carbon_free_car", ["drawing.material=EN AW-6082"]))
+    assert (unnamed.material, unnamed.ordered) == (None, "EN AW-6082")
+    alloy = Making.of(load_design("carbon_free_car", ["blank.material=aluminium"]))
+    assert alloy.ordered == "aluminium EN AW-6082"
+    plain = Making.of(load_design("carbon_free_car", ["blank.material=aluminium", "drawing.material="]))
+    assert plain.ordered == "aluminium"
+    with pytest.raises(
+        DesignError, match=r'drawing\.material is "aluminium EN AW-6082", but blank\.material is "steel"'
+    ):
+        load_design("carbon_free_car", ["blank.material=steel"])
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,7 @@ from the figures for plastics and for greased metals: measure the pair if it mat
 sliding; with its seals it holds the cam as friction below 0.02 would, an estimate too.
 """
 
+import re
 from enum import StrEnum
 
 from cadgen.cam.followers.kind import RunningSurface
@@ -23,6 +24,16 @@ class DiscMaterial(StrEnum):
     ACRYLIC = "acrylic"
     PLA = "PLA"
     POM = "POM"
+
+
+def named_material(stated: str | None) -> DiscMaterial | None:
+    """Material that a design's words name, such as steel in `steel C45`; None where they name none that is known.
+
+    Args:
+        stated: material as a design states it; None where it does not.
+    """
+    words = re.findall(r"[^\W\d_]+", (stated or "").lower())
+    return next((each for each in DiscMaterial if each.lower() in words), None)
 
 
 # Least and greatest sliding friction of a steel rod on a disc: dry, and greased.

@@ -11,7 +11,7 @@ from cadgen.cam.checks import LOST_LIFT
 from cadgen.cam.follower import Contact, Follower, Trim
 from cadgen.cam.limits import CheckLimits
 from cadgen.car.against_play.profile_kinds import ProfileKind
-from cadgen.car.running.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial, named_material
 from cadgen.check import Check, CheckCode, failing
 from cadgen.curves.chamfer import chamfered_off
 from cadgen.curves.closed import ClosedCurve, Outline
@@ -47,6 +47,7 @@ class Making:
 
     Attributes:
         material: material of the disc; None where the design does not say.
+        ordered: material in the words of sheets and lists; empty where the design does not say.
         fit: fits and joint of the bore on its shaft.
         screwed: whether a set screw holds it.
         title: texts of the title block of its sheet; None where the design does not say.
@@ -55,6 +56,7 @@ class Making:
     """
 
     material: DiscMaterial | None
+    ordered: str
     fit: ShaftFit
     screwed: bool
     title: DrawingText | None
@@ -66,8 +68,10 @@ class Making:
         """Making of a design's cam."""
         blank = design.blank
         screw = blank.hub.set_screw if blank.hub else None
+        ordered = design.drawing.material if design.drawing else None
         return cls(
-            material=blank.material,
+            material=blank.material or named_material(ordered),
+            ordered=ordered or Message(str(blank.material or "")),
             fit=ShaftFit.of(blank, blank.bore_fit, screw.thread if screw else None),
             screwed=screw is not None,
             title=design.drawing,

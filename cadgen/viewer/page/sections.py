@@ -444,7 +444,7 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
     rows: list[tuple[Cell | str, ...]] = [
         (
             Message("second cam") if disc.part else Message("cam"),
-            disc.making.material or "–",
+            disc.making.ordered or "–",
             number(1, digits=0),
             *teeth,
             number(disc.made_blank.bore_diameter, "mm"),
