@@ -181,6 +181,11 @@ class Kind:
         return (self.key, *(column.name for column in self.columns))
 
     @property
+    def most_read(self) -> int:
+        """Rows that a file may have."""
+        return max(self.most_rows, self.most_logged)
+
+    @property
     def stem(self) -> str:
         """The code as a part of file names."""
         return self.code.replace(" ", "_")
@@ -288,7 +293,7 @@ def join(records: Sequence[Record]) -> Record:
         )
     rows = sum(len(record.run) for record in records)
     name = " + ".join(record.source for record in records)
-    refuse_many(records[0].kind, rows, name)
+    refuse_many(records[0].kind.most_rows, rows, name)
     if len(records) == 1:
         return records[0]
     if records[0].kind.method is not Method.ZONE_MEANS:
@@ -304,13 +309,17 @@ def join(records: Sequence[Record]) -> Record:
     )
 
 
-def refuse_many(kind: Kind, rows: int, name: str) -> None:
-    """Refuse more rows of a kind than can be judged together.
+def refuse_many(most: int, rows: int, name: str) -> None:
+    """Refuse more rows than can be judged together.
+
+    Args:
+        most: rows that can be.
+        rows: rows that a file has.
+        name: of the file.
 
     Raises:
         FileError: there are more; says how many to keep.
     """
-    most = kind.most_rows
     if rows > most:
         raise FileError(
             "{name}: {rows} rows, more than the {most} that can be judged together; keep one row in {share}, or give "

@@ -76,8 +76,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
     exact = None if known is not None or reading.columns else kind_with(head.names)
     among = (exact,) if exact else known or kinds()
     # Counted before any is kept: of the shortest lines a file has millions.
-    if len(head.body) > max(kind.most_logged for kind in among):
-        refuse_many(max(among, key=lambda kind: kind.most_rows), len(head.body), name)
+    refuse_many(max(kind.most_read for kind in among), len(head.body), name)
     try:
         rows = rows_of(head, name)
     except FileError:
@@ -92,7 +91,7 @@ def load_text(text: str, name: str, known: Sequence[Kind] | None = None, reading
         table = each_once(table, [match.places[c].index for c in kind.header if c in match.places])
     if kind.most_logged:
         table = thinned(table, kind.most_rows)
-    refuse_many(kind, len(table.lines), name)
+    refuse_many(kind.most_rows, len(table.lines), name)
     columns: dict[str, NDArray[np.generic]] = {}
     for column in kind.columns:
         place = match.places[column.name]

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from cadgen.errors import FileError
+from cadgen.inference.gearing.record_kinds import TRAIN
 from cadgen.inference.measurement.record import instrument, join, printed
-from cadgen.inference.records.load import MOST_BYTES, digest, load
+from cadgen.inference.records.load import MOST_BYTES, digest, load, load_text
 
 pytestmark = pytest.mark.usefixtures("tricycle")
 
@@ -156,6 +157,12 @@ def test_too_many_rows_are_refused(tmp_path):
     half = load(tmp_path / "half.csv")
     with pytest.raises(FileError, match=r"half.csv \+ half.csv: 21000 rows"):
         join([half, half])
+
+
+def test_a_log_of_more_rows_than_can_be_thinned_is_refused_with_their_number():
+    text = "input_angle_deg,output_angle_deg\n" + "0,0\n" * 400_001
+    with pytest.raises(FileError, match=r"400001 rows, more than the 400000 .* keep one row in 2"):
+        load_text(text, "log.csv", [TRAIN])
 
 
 def test_too_many_runs_are_refused(tmp_path):
