@@ -102,7 +102,7 @@ BROKEN_EDGES = Effect(
     parameters=(
         _um(
             "broken_edges_um",
-            "+: both edges of the rim are broken more than in the design",
+            "+: both edges of the rim are broken more than in the design; break those of a new disc alike",
             30.0,
             2000.0,
             -500.0,

@@ -355,13 +355,10 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
         return True
     # What several change is near the sum of what each does: only where that is small are they taken out together.
     several = chain.from_iterable(combinations(keys, size) for size in range(2, len(keys) + 1))
-    summed = (some for some in several if below(_sums([alone[key] for key in some]), _SUMMED))
-    return any(below(changes(some)) for some in summed)
-
-
-def _sums(changes: Sequence[list[Array]]) -> list[Array]:
-    """Sums over effects of the change of each part's residual."""
-    return [np.sum(part, axis=0) for part in zip(*changes, strict=True)]
+    summed = ((some, zip(*(alone[key] for key in some), strict=True)) for some in several)
+    return any(
+        below((np.sum(part, axis=0) for part in parts), _SUMMED) and below(changes(some)) for some, parts in summed
+    )
 
 
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
