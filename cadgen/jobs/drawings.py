@@ -35,7 +35,7 @@ from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, SheetGroove, cam_drawing
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
-from cadgen.output.drawing.shaft_fit import hole_class, limits
+from cadgen.output.drawing.shaft_fit import fillet, hole_class, limits
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
@@ -43,6 +43,7 @@ from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_part
 from cadgen.output.files.plate import Axis, Plate, bearing_bores, plate_files
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
+from cadgen.parts.features import Keyway
 from cadgen.progress import Progress, silent
 from cadgen.verdict import PartVerdict, Readiness
 
@@ -364,7 +365,9 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             ),
             0.1,
         )
-        yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity, edge=edge))
+        key = part.blank.key
+        inner = min(edge, fillet(key.width)) if isinstance(key, Keyway) else None
+        yield stem, gear_drawing(sheet, replace(title, quantity=count * title.quantity, edge=edge, inner=inner))
     if _printed(plan):
         return
     stem = f"{plan.stem}_plate"

@@ -1,6 +1,6 @@
 """Sheets of the plain parts of a car that is put together: wheels, shafts, rod and fork, with fits and datum."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import atan2
 
@@ -9,9 +9,9 @@ import numpy as np
 from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, Prism, Supply
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, block_drawing, turned_drawing
-from cadgen.output.drawing.shaft_fit import limited
+from cadgen.output.drawing.shaft_fit import fillet, limited, shaft_class
 from cadgen.output.drawing.sheet import DrawingSheet
 
 # Classes of diameters by the code of the part: of its bores or holes, and of its outside.
@@ -41,6 +41,7 @@ _UNTOLD = {
 }
 # Textures of outer surfaces by the code of the part: of the rod, which rides on the disc, with the lay along it.
 _TEXTURES = {"rod": "Ra 0.4 ="}
+_USUAL_SHAFT = "h6"  # where no fit is stated: bores of wheels and rings of bearings are H7 or closer
 _FREE = 3.1  # mm; holes of a plate from this size on that are no fits are clearance holes of screws
 
 
@@ -97,7 +98,11 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
                 for seat in shape.cuts
             ]
             through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
-            yield stem, turned_drawing(steps, None, seats, _texts(part, steps, None, None), title, through=through)
+            if seats:
+                title = replace(title, inner=min(title.edge, *(fillet(seat.width) for seat in seats)))
+            classes = shaft_classes(assembly, part.shaft) if part.code.startswith("shaft") else {}
+            texts = _texts(part, steps, None, None, classes)
+            yield stem, turned_drawing(steps, None, seats, texts, title, through=through)
         elif isinstance(shape, Block):
             inside, _ = _FITS.get(part.code, ("", ""))
             sizes = sorted({round(2 * float(hole.radii[0]), 6) for hole in shape.prisms[0].holes})
@@ -106,13 +111,56 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             yield stem, block_drawing(shape, texts, title)
 
 
+def shaft_classes(assembly: CarAssembly, number: int) -> dict[str, list[Message]]:
+    """Classes of a shaft by the fits that the design states, each with what sits there; h6 where it states none.
+
+    Args:
+        assembly: car put together.
+        number: number of the shaft, from 1.
+    """
+    making, shafts = assembly.train.making, len(assembly.train.layout.on_shafts)
+    fits = {Message("in the gear"): making.shaft(number, shafts).fit.bore}
+    if number == shafts:
+        fits[Message("in the disc")] = assembly.cam.making.fit.bore
+    if assembly.use.design.frame is None and making.bearing_bores is None:
+        fits[Message("in the plates")] = making.holes
+    classes: dict[str, list[Message]] = {}
+    for where, fit in fits.items():
+        if fit:
+            classes.setdefault(shaft_class(fit), []).append(where)
+    return classes or {_USUAL_SHAFT: []}
+
+
 def _texts(
-    part: CarPart, steps: list[TurnedStep], hole: tuple[float, float] | None, run_out: float | None
+    part: CarPart,
+    steps: list[TurnedStep],
+    hole: tuple[float, float] | None,
+    run_out: float | None,
+    classes: Mapping[str, Sequence[Message]] | None = None,
 ) -> PartTexts:
-    """Notes, fits, run-out (mm) and texture of a turned part."""
-    inside, outside = _FITS.get(part.code, ("", "h6" if part.code.startswith("shaft") else ""))
+    """Notes, fits, run-out and texture of a turned part.
+
+    Args:
+        part: part of the car.
+        steps: its steps.
+        hole: diameter and height of its radial hole, mm; None without one.
+        run_out: its circular run-out, mm; None where the design states none.
+        classes: classes of a shaft, each with what sits there; None for another part.
+    """
+    inside, outside = _FITS.get(part.code, ("", ""))
     notes: list[Message] = []
     fits: dict[float, str] = {}
+    if classes and len(classes) == 1:
+        (outside,) = classes
+    elif classes:
+        notes += [
+            Message(
+                "{diameter}: {places}.",
+                diameter=f"Ø{steps[0].diameter:g}{limited(steps[0].diameter, named)}",
+                places=joined(where),
+            )
+            for named, where in classes.items()
+        ]
     for step in steps:
         if inside and step.bore:
             fits[step.bore] = limited(step.bore, inside)

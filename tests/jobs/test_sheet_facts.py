@@ -11,6 +11,7 @@ import shapely
 
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.car.assembly.fork_sizes import JOURNAL
+from cadgen.car.assembly.standard_parts import key_size
 from cadgen.design import gear_model
 from cadgen.design.blank import TIGHT
 from cadgen.design.load import complete_of, load_design, packaged_designs, read_design
@@ -29,7 +30,9 @@ from cadgen.jobs.part_drawings import part_sheets
 from cadgen.output.drawing import assembly_sheet
 from cadgen.output.drawing.assembly_sheet import assembly_drawing, mounting_sheet
 from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, turned_drawing
+from cadgen.output.drawing.shaft_fit import fillet, longer
 from cadgen.output.drawing.sheet import (
+    EDGE,
     HEIGHTS,
     Characteristic,
     Closed,
@@ -237,8 +240,53 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
     depth = said["shaft-4"]["shaft less seat 1"]
     assert (depth.prefix, depth.suffix) == ("2 × ", " (0/-0.1)")
     assert drawn["shaft-4"].dimensions["shaft less seat 1"] == pytest.approx(6.2, abs=1e-9)
+    # Keys of up to 28 mm have seats 0 to 0.2 mm longer; the chamfer of a key 3 x 3 clears a radius of 0.16 mm.
+    assert [said["shaft-4"][f"length of seat {number}"].suffix for number in (1, 2)] == [" +0.2/0"] * 2
+    assert (drawn["shaft-4"].title.edge, drawn["shaft-4"].title.inner) == (0.3, 0.16)
     for code in ("rod", "shaft-1", "shaft-4", "fork-cheek", "fork-bridge", "drive-wheel"):
         assert not drawn[code].notes
+
+
+def test_a_shaft_has_the_class_of_the_fits_that_are_stated(car: CarAssembly) -> None:
+    """ISO 286: g6 over 6 to 10 mm is -5 to -14 µm, h6 0 to -9; over 3 to 6 mm g6 is -4 to -12."""
+
+    def shaft(number: int, **stated: str | None) -> tuple[str, tuple[str, ...]]:
+        train, cam = car.train, car.cam
+        fits = {place: stated.get(place) for place in ("drive", "output")}
+        making = replace(
+            train.making,
+            **{place: replace(each := getattr(train.making, place), fit=replace(each.fit, bore=fit))
+               for place, fit in fits.items()},
+        )  # fmt: skip
+        disc = replace(cam.making, fit=replace(cam.making.fit, bore=stated.get("disc")))
+        other = replace(car, train=replace(train, making=making), cam=replace(cam, making=disc))
+        sheet = next(sheet for stem, sheet in part_sheets(other, NOWHERE) if stem.endswith(f"shaft-{number}"))
+        (across,) = (each for each in sheet.views[0].dimensions if each.name.startswith("diameter"))
+        return across.suffix, tuple(map(str, sheet.notes))
+
+    assert shaft(4, output="H7/g6", disc="P7/g6") == (" g6 (-0.005/-0.014)", ())
+    assert shaft(1, drive="H7/g6") == (" g6 (-0.004/-0.012)", ())
+    assert shaft(1) == (" h6 (0/-0.008)", ())
+    torn = ("Ø8 g6 (-0.005/-0.014): in the gear.", "Ø8 h6 (0/-0.009): in the disc.")
+    assert shaft(4, output="H7/g6", disc="P7/h6") == ("", torn)
+
+
+def test_seats_of_keys_have_the_limits_of_their_width_and_length() -> None:
+    """DIN 6885-1: t1 of a key 8 x 7 is 4 +0.2, of 6 x 6 3.5 +0.1; seats over 28 to 80 mm are up to 0.3 mm longer."""
+    assert [key_size(width) for width in (6.0, 8.0, 10.0, 18.0)] == [(6.0, 3.5), (7.0, 4.0), (8.0, 5.0), (11.0, 7.0)]
+    seats = [KeySeat(5.0, 45.0, 8.0, 13.0 - 4.0, 0.0)]
+    title = Title(
+        part="shaft", title="", material="", finish="", quantity=1, date="2026-01-01", design="", number="shaft"
+    )
+    sheet = turned_drawing([TurnedStep(0.0, 60.0, 26.0, 0.0)], None, seats, PartTexts(notes=()), title)
+    said = {each.name: each.suffix for view in sheet.views for each in view.dimensions}
+    assert sheet.dimensions["shaft less seat 1"] == pytest.approx(22.0)
+    assert (said["shaft less seat 1"], said["length of seat 1"]) == (" (0/-0.2)", " +0.3/0")
+    assert [longer(length) for length in (28.0, 32.0, 80.0, 90.0)] == [0.2, 0.3, 0.3, 0.5]
+    assert [fillet(width) for width in (4.0, 5.0, 10.0, 20.0, 36.0)] == [0.16, 0.25, 0.4, 0.6, 1.0]
+    section = sheet.views[1]
+    assert section.place[1] - sheet.scale * 13.0 > EDGE + sheet.title.height
+    assert apart(boxes(document_of(sheet).modelspace())) == []
 
 
 def test_a_section_across_a_shaft_shows_depth_and_angle_of_each_seat() -> None:

@@ -140,7 +140,10 @@ def _screw(thread: str, pitch: float, head: tuple[float, float], hole: float, nu
 
 
 # Height of a parallel key and depth of its seat in the shaft by its width, mm (DIN 6885-1, ISO 773).
-_KEYS = {2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0)}
+_KEYS = {
+    2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0),
+    10.0: (8.0, 5.0), 12.0: (8.0, 5.0), 14.0: (9.0, 5.5), 16.0: (10.0, 6.0), 18.0: (11.0, 7.0), 20.0: (12.0, 7.5),
+}  # fmt: skip
 _SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
 
 

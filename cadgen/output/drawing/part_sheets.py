@@ -20,6 +20,7 @@ from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import outlines_and_hatches
+from cadgen.output.drawing.shaft_fit import deeper, limits, longer
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
@@ -58,7 +59,8 @@ from cadgen.output.drawing.sheet import (
 _SIZE, _LARGER = "A4", "A3"
 _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
-_RAISED, _UNDER, _ASIDE = 12.0, 12.0, 18.0  # mm on paper, of a shaft with sections under it, and beside these
+_RAISED, _UNDER, _ASIDE = 4.0, 12.0, 18.0  # mm on paper, of a shaft with sections under it, and beside these
+_SECTION = 32.0  # mm on paper, for the dimensions of sections under a shaft
 _BETWEEN = 40.0  # mm on paper between two views
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
@@ -152,8 +154,10 @@ def turned_drawing(
     """
     low, high = steps[0].low, steps[-1].high
     reach = max(step.diameter for step in steps) / 2
-    size, scale, place = _placed((high - low, 2 * reach), ((low + high) / 2, 0.0), title)
-    if seats:  # the sections stand below
+    # Sections across the seats stand below, as high as the shaft.
+    tall, below = (4 * reach, _SECTION) if seats else (2 * reach, 0.0)
+    size, scale, place = _placed((high - low, tall), ((low + high) / 2, reach - tall / 2), title, below)
+    if seats:
         place = (place[0], place[1] + _RAISED)
     gap, step_out = _FIRST / scale, _STEP / scale
     curves: list[Closed | Stroke] = []
@@ -259,7 +263,11 @@ def turned_drawing(
         curves.append(Closed(Contour(corners, np.zeros(4))))
         at = reach + gap + 2 * (len(seats) - number) * step_out
         dimensions.append(along_axis(f"seat {number} from the left end", (low, start), reach, at + step_out))
-        dimensions.append(along_axis(f"length of seat {number}", (start, end), reach, at))
+        extent_along = along_axis(f"length of seat {number}", (start, end), reach, at)
+        suffix = f" {limits(0.0, longer(end - start))}"
+        words, room = TEXT * _LETTER * len(f"{rounded(end - start)}{suffix}"), scale * (end - start)
+        off = 0.0 if words < room - 4.0 else room / 2 + _tail(room) + words / 2 + 1.5
+        dimensions.append(replace(extent_along, suffix=suffix, beside=off))
     for number, (width, end) in enumerate({round(seat.width, 6): seat.high for seat in seats}.items()):
         count = sum(abs(seat.width - width) < _CHORD for seat in seats)
         prefix = f"{count} × " if count > 1 else ""
@@ -268,7 +276,7 @@ def turned_drawing(
         )
         long = TEXT * _LETTER * len(f"{prefix}{rounded(width)}{texts.seat}") / 2
         off = scale * width / 2 + _tail(scale * width) + long + 1.5
-        dimensions.append(replace(wide, suffix=texts.seat, beside=off))
+        dimensions.append(replace(wide, suffix=texts.seat, beside=-off))  # downwards: lengths of seats stand above
     sections = tuple(_seat_sections(steps, seats, scale, place))
     for section in sections:
         # In line with the seat: the section stands on the trace of its plane, which joins it to the view (ISO 128-3).
@@ -352,7 +360,7 @@ def _seat_sections(
             (-radius * along).tolist(),
             (floor * along).tolist(),
         )
-        suffix = " (0/-0.1)"  # DIN 6885-1: the seat may be deeper by 0.1 mm
+        suffix = f" ({limits(-deeper(width), 0.0)})"
         prefix = f"{len(group)} × " if len(group) > 1 else ""
         long = TEXT * _LETTER * len(f"{prefix}{rounded(radius + floor)}{suffix}")
         depth = LinearDimension(
@@ -575,12 +583,19 @@ def _height(title: Title, size: str = _SIZE) -> float:
 
 
 def _placed(
-    part: tuple[float, float], middle: tuple[float, float], title: Title
+    part: tuple[float, float], middle: tuple[float, float], title: Title, below: float = 0.0
 ) -> tuple[str, float, tuple[float, float]]:
-    """Size of the sheet, scale of a view, and its place over the title block: A3 where A4 shows it smaller than 1:1."""
+    """Size of the sheet, scale of a view, and its place over the title block: A3 where A4 shows it smaller than 1:1.
+
+    Args:
+        part: width and height of what is drawn, mm.
+        middle: its middle in the view, mm.
+        title: title block.
+        below: further room for dimensions between a view and one below it, mm on paper.
+    """
     chosen = []
     for size in (_SIZE, _LARGER):
-        room = (SIZES[size][0] - LEFT - EDGE - 2 * _ROOM, _height(title, size) - 2 * _ROOM + 16.0)
+        room = (SIZES[size][0] - LEFT - EDGE - 2 * _ROOM, _height(title, size) - 2 * _ROOM + 16.0 - below)
         scale = chosen_scale(part, room, 5.0) or 0.1
         x = LEFT + (SIZES[size][0] - LEFT - EDGE) / 2 - scale * middle[0]
         chosen.append((size, scale, (x, EDGE + title.height + 8.0 + _height(title, size) / 2 - scale * middle[1])))

@@ -1,7 +1,8 @@
 """Fits of a part on its shaft as a sheet states them: classes beside dimensions, and limit deviations in a table.
 
-The keyway of a hub may be deeper than stated, and no shallower, by limits that go with the key's width (DIN 6885-1,
-depth t2; GB/T 1095 has the same). Its width is P9 for a tight key, JS9 for an easy one, and the key itself h9.
+The keyway of a hub and the seat in its shaft may be deeper than stated, and no shallower, by limits that go with the
+key's width (DIN 6885-1, depths t2 and t1; GB/T 1095 has the same). A keyway is P9 wide for a tight key, JS9 for an easy
+one, and the key itself h9; the seat is P9 for either, so that the play is that in the hub.
 """
 
 from collections.abc import Iterator
@@ -16,6 +17,10 @@ from cadgen.parts.features import DFlat, Flats, Keyway
 
 _DEEPER = ((6.0, 0.1), (32.0, 0.2))  # greatest width of a key, and upper deviation of its hub's keyway, mm
 _DEEPEST = 0.3  # upper deviation for wider keys, mm
+_LONGER = ((28.0, 0.2), (80.0, 0.3))  # greatest length of a key, and upper deviation of its seat's length, mm
+_LONGEST = 0.5  # upper deviation for longer keys, mm
+_FILLETS = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6))  # greatest width of a key, and r2 in its seat, mm
+_WIDEST_FILLET = 1.0  # for wider keys, mm
 _TIGHT = {
     ShaftJoint.CLAMPED: Message("clamped"),
     ShaftJoint.PINNED: Message("pinned"),
@@ -138,12 +143,30 @@ class ShaftFit:
 
 
 def deeper(width: float) -> float:
-    """Upper deviation of the depth of a hub's keyway, mm; the lower one is 0.
+    """Upper deviation of the depth of a hub's keyway or a shaft's seat, mm; the lower one is 0.
 
     Args:
         width: width of the key, mm.
     """
     return next((more for widest, more in _DEEPER if width <= widest), _DEEPEST)
+
+
+def longer(length: float) -> float:
+    """Upper deviation of the length of a key's seat in a shaft (DIN 6885-1), mm; the lower one is 0.
+
+    Args:
+        length: length of the seat, mm.
+    """
+    return next((more for longest, more in _LONGER if length <= longest), _LONGEST)
+
+
+def fillet(width: float) -> float:
+    """Greatest radius of the corners at the floor of a keyway, by the chamfer of its key (DIN 6885-1), mm.
+
+    Args:
+        width: width of the key, mm.
+    """
+    return next((most for widest, most in _FILLETS if width <= widest), _WIDEST_FILLET)
 
 
 def limits(low: float, high: float) -> str:
@@ -162,6 +185,12 @@ def hole_class(fit: str | None) -> str:
     if not fit:
         return ""
     letter, grade, *_ = zones_of(fit)
+    return f"{letter}{grade}"
+
+
+def shaft_class(fit: str) -> str:
+    """Class of the shaft of a fit, `g6` of `H7/g6`."""
+    *_, letter, grade = zones_of(fit)
     return f"{letter}{grade}"
 
 

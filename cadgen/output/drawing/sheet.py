@@ -395,6 +395,7 @@ class Title:
         verdict: verdict on the part in a line over the block; empty for a part that is ready, or is not judged.
         edge: how much may be taken off outer edges that have no size of their own, or stand in inner ones (ISO 13715),
             mm.
+        inner: how much may stand in inner ones, mm; None for as much as may be off outer ones.
     """
 
     part: str
@@ -411,6 +412,7 @@ class Title:
     approved_by: str = ""
     verdict: str = ""
     edge: float = 0.3
+    inner: float | None = None
 
     @property
     def height(self) -> float:

@@ -598,7 +598,9 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
             _text(space, "(", (after, low + 1.4), TEXT)
             _surface_symbol(space, after + 1.2, low + 1.0)
             _text(space, ")", (after + SIGN + 1.0, low + 1.4), TEXT)
-    _edge_signs(space, x + 2.5 * column + 0.6, y + 3 * row, title.edge)
+    _edge_signs(
+        space, x + 2.5 * column + 0.6, y + 3 * row, title.edge, title.edge if title.inner is None else title.inner
+    )
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
@@ -630,18 +632,19 @@ def _edge_sign(space: Modelspace, corner: Vec2, value: str, line: LineKind, *, c
     _text(space, value, (corner.x + start, corner.y + 0.6), TEXT)
 
 
-def _edge_signs(space: Modelspace, x: float, y: float, size: float) -> None:
+def _edge_signs(space: Modelspace, x: float, y: float, outer: float, inner: float) -> None:
     """Signs for all edges (ISO 13715): an outer one with how much may be off, an inner one with how much may stand.
 
     Args:
         space: sheet.
         x: left end, mm on the paper.
         y: lower end, mm on the paper.
-        size: that size, mm.
+        outer: size of outer edges, mm.
+        inner: size of inner ones, mm.
     """
     for left, value, sides in (
-        (x, f"-{rounded(size)}", (Vec2(-1.8, 0.0), Vec2(0.0, -0.7))),
-        (x + 13.6, f"+{rounded(size)}", (Vec2(0.0, 1.5), Vec2(1.5, 0.0))),
+        (x, f"-{rounded(outer)}", (Vec2(-1.8, 0.0), Vec2(0.0, -0.7))),
+        (x + 11.2, f"+{rounded(inner)}", (Vec2(0.0, 1.5), Vec2(1.5, 0.0))),
     ):
         corner, apex = Vec2(left + 3.6, y + 1.6), Vec2(left + 2.2, y + 1.0)
         space.add_line(apex, corner, dxfattribs={"layer": LineKind.THIN.value})
