@@ -192,6 +192,22 @@ def test_holes_of_a_plate_stand_in_zones_that_keep_the_distances_of_the_axes(she
     assert not any("± 0 " in note for of in sheets.values() for note in of["plate"].notes)
 
 
+def test_tips_of_a_plate_leave_its_texts_free(sheets) -> None:
+    """Phantom lines of the page against boxes of its texts and frames; each circle is whole but for these."""
+    cut = 0
+    for of in sheets.values():
+        sheet = of["plate"]
+        space = document_of(sheet).modelspace()
+        lines = [shapely.LineString(each.get_points("xy")) for each in space.query("LWPOLYLINE[layer=='PHANTOM']")]
+        rings = [shapely.Point(*each.dxf.center.vec2).buffer(each.dxf.radius, 512).exterior
+                 for each in space.query("CIRCLE[layer=='PHANTOM']")]  # fmt: skip
+        drawn = shapely.union_all([*lines, *rings])
+        taken = [box for box, _ in [*boxes(space), *frame_boxes(sheet)]]
+        assert max(drawn.intersection(box).length for box in taken) < 0.3
+        cut += len(lines)
+    assert cut > 2
+
+
 def test_a_plate_without_a_tolerance_of_its_distances_says_none(tmp_path) -> None:
     text = TWO_STAGES.replace("[[train.stages]]", "[[train.stages]]\nf_a_um = 0.0", 2)
     plan = plan_gears(train_of(text, tmp_path / "train.toml"))

@@ -740,13 +740,14 @@ def plate_drawing(
         EDGE + TITLE_SIZE[1] + 6.0 + (height - 2 * EDGE - TITLE_SIZE[1] - scale * (high - low)) / 2 - scale * low,
     )
     curves: list[Closed | Stroke] = [Closed(plate.outline)]
+    tips = [ring(2 * axis.reach, LineKind.PHANTOM, (axis.x, axis.y)) for axis in axes]
     for axis in axes:
         at = (axis.x, axis.y)
-        curves += [ring(2 * axis.reach, LineKind.PHANTOM, at), *centre_cross(6.0 / scale, at)]
+        curves += centre_cross(6.0 / scale, at)
         if axis.bore:
             curves.append(ring(axis.bore, centre=at))
     gap = _PLATE_GAP / scale
-    room = Room(curves, scale)
+    room = Room([*curves, *tips], scale)
     dimensions: list[Dimension] = [
         LinearDimension(name="plate width", start=(left, low), end=(right, low), at=(left, low - gap)),
         LinearDimension(name="plate height", start=(left, low), end=(left, high), at=(left - gap, low), angle=90.0),
@@ -771,13 +772,16 @@ def plate_drawing(
     ]
     located = [axis for axis in plate.holed if axis.shaft in zones]
     seats = [(f"hole of shaft {each.shaft}", (each.x, each.y), each.bore, zones[each.shaft]) for each in located]
+    symbols = tuple(hole_frames(seats, room))
+    for tip in tips:
+        curves += room.off_texts(tip)
     views = [
         View(
             place=place,
             curves=tuple(curves),
             dimensions=tuple(dimensions),
             labels=tuple(labels),
-            symbols=tuple(hole_frames(seats, room)),
+            symbols=symbols,
         )
     ]
     if seats:

@@ -88,6 +88,22 @@ class Room:
         self._texts = shapely.union(self._texts, box)
         self._light = shapely.union_all([self._light, *lines])
 
+    def off_texts(self, curve: Closed) -> Iterator[Closed | Stroke]:
+        """Yield a curve without what lies under the texts and frames that stand there already (ISO 128-2).
+
+        Args:
+            curve: closed curve, mm.
+        """
+        whole = _line(curve, self._scale)
+        left = whole.difference(self._texts.buffer(_GAP))
+        if left.equals(whole):
+            yield curve
+            return
+        # The ends of the ring meet where no text stands.
+        joined = left if isinstance(left, shapely.LineString) else shapely.line_merge(left)
+        for piece in shapely.get_parts(joined):
+            yield Stroke(shapely.get_coordinates(piece) / self._scale, curve.line)
+
     def dimensions(self, dimensions: Sequence[Dimension], labels: Sequence[Label]) -> tuple[Dimension, ...]:
         """The dimensions of a view, its diameters and the numbers beside short lines written where there is room.
 

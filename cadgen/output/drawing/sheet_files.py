@@ -350,7 +350,8 @@ class _Place:
         attributes = {"layer": curve.line.value}
         if isinstance(curve, Stroke):
             points = np.array(self.view.place) + self.scale * curve.points
-            self.space.add_lwpolyline(points.tolist(), dxfattribs=attributes)
+            # Dashes run on over the corners (128), as they do along a circle.
+            self.space.add_lwpolyline(points.tolist(), dxfattribs=attributes | {"flags": 128})
             return
         contour = curve.contour
         if contour.is_circle:
