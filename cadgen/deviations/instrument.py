@@ -105,7 +105,7 @@ DIVIDER_ZERO = replace(
 )
 
 
-LAST_INDEX = 8  # jaws of a chuck, and what a divider has alike on its plate, are no more
+LAST_INDEX = 4  # an ellipse makes two, and the jaws that hold a divider three or four
 
 
 def index_error(order: int) -> Effect:

@@ -134,7 +134,7 @@ class OddKind:
         signed: whether it may have either sign.
         beside: field of the car without which it does nothing; empty if there is none.
         grows: effects of the catalogue that it is at a size which changes in the run, by their names: from nothing to
-            so many rad or mm, or such a share, for a size of 1.
+            so many rad or mm, or such a share, for a size of 1; a flat spot takes its share of a turn off the radius.
         twin: of an effect of the catalogue, as that states it; empty if there is none.
     """
 
@@ -403,7 +403,7 @@ KINDS = {
         ("track", "lift", "profile"), _car("spiral"), 0.1, grows={"cutter compensation": 1.0, "rod radius": 1.0}
     ),
     "rippled floor": OddKind(("track",), _rippled_floor, 0.1),
-    "flat spot of the tyre": OddKind(("track",), _flat_spot, 0.3, signed=False),
+    "flat spot of the tyre": OddKind(("track",), _flat_spot, 0.3, signed=False, grows={"wheel radius": -0.12}),
     "slip at the start": OddKind(("track",), _slips_at_start, 200.0, signed=False),
     "post that is hit": OddKind(("track",), _post, 5.0 * DEG),
     "strip of carpet": OddKind(("track",), _carpet, 0.05),

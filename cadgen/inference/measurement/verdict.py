@@ -13,7 +13,7 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import UNITS, Effect
+from cadgen.deviations.effect import UNITS, Active, Effect
 from cadgen.inference.measurement.evidence import registered
 from cadgen.inference.measurement.hypothesis import Hypothesis
 from cadgen.inference.measurement.joint import Joint, Part
@@ -114,6 +114,8 @@ BESIDE_UNKNOWN = 40.0
 LEAST_OF_FLOOR = 0.4
 # Effects that change it, summed, by so many times that are not looked at together.
 _SUMMED = 5.0
+# Where an effect changes the readings by so many times what all do together, it is there to cancel others.
+CANCELS = 4.0
 # RMS over the noise that thousands of rows of noise do not reach.
 LEFT_OVER = 1.3
 # Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
@@ -230,6 +232,9 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
             left=left,
         )
         return replace(judgement, verdict=Verdict.UNEXPLAINED, sentence=sentence, claimed=()), best
+    if _cancel(joint, best):
+        why = Message("effects that cancel each other over {times:g} times explain too little", times=CANCELS)
+        judgement = unclaimed(judgement, judgement.claimed, why)
     if left > LEFT_OVER:
         limit = Message(
             "what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too",
@@ -359,6 +364,17 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     return any(
         below((np.sum(part, axis=0) for part in parts), _SUMMED) and below(changes(some)) for some, parts in summed
     )
+
+
+def _cancel(joint: Joint, best: Hypothesis) -> bool:
+    """Does an effect of the subset change the readings by `CANCELS` times what all do together?"""
+
+    def change(rest: Active) -> float:
+        moved = ((p, registered(p.model, p.noise, p.residual(rest) - p.residual(best.active))) for p in joint.parts)
+        return float(np.sqrt(sum(np.sum((by / p.noise.rms) ** 2) for p, by in moved)))
+
+    whole = change([(e, v) for e, v in best.active if e not in best.effects])
+    return any(change([(e, v) for e, v in best.active if e != one]) > CANCELS * whole for one in best.effects)
 
 
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
