@@ -122,7 +122,7 @@ def title_of(origin: Origin, text: DrawingText | None, part: str, material: str,
     return Title(
         part=part,
         title=text.title or origin.name,
-        material=material,
+        material=Message(material),
         finish=text.finish or "",
         quantity=text.quantity,
         date=folder.date,

@@ -221,7 +221,7 @@ def known_material(stated: str | None, usual: DiscMaterial) -> tuple[str, float,
         usual: material that is taken where nothing is known.
     """
     known = named_material(stated)
-    return stated or Message(str(usual)), DENSITY[known or usual] * 1e-3, known is None
+    return Message(stated or str(usual)), DENSITY[known or usual] * 1e-3, known is None
 
 
 def _matrix(place: PartPlace) -> Array:

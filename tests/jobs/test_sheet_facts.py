@@ -247,6 +247,29 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
         assert not drawn[code].notes
 
 
+def test_steps_of_mounting_are_written_in_heights_of_the_series(car: CarAssembly) -> None:
+    """ISO 3098: no letter is lower than 1.8 mm; what a cell lists beyond its width goes on in the next row, whole."""
+    title = Title(part="", title="", material="", finish="", quantity=1, date="2026-01-01", design="", number="n")
+    sheet = mounting_sheet(mountings(car), loose_parts(car), (), title)
+    assert {round(text.dxf.height, 3) for text in document_of(sheet).modelspace().query("TEXT")} <= set(HEIGHTS)
+    cells = [row[-1] for table in sheet.tables for row in table.rows]
+    told = [part for _, steps in mountings(car) for step in steps for part in step.remark.split(", ")]
+    told += [part for *_, how in loose_parts(car) for part in how.split(", ")]
+    assert [part for cell in cells for part in cell.split(", ") if cell not in ("how", "where it belongs")] == told
+
+
+def test_extension_lines_of_a_wheel_cross_no_number(sheets: dict[str, DrawingSheet]) -> None:
+    """The bore's ran through the number of the hub, which stands at the other end now."""
+    for code in ("front-wheel", "drive-wheel", "idle-wheel"):
+        (view,) = sheets[f"workshop_car_{code}"].views
+        across = [each for each in view.dimensions if isinstance(each, LinearDimension) and each.angle == 90.0]
+        for each in across:
+            nearer = [other for other in across if (other.at[0] - each.start[0]) * (other.at[0] - each.at[0]) < 0]
+            for other in nearer:
+                half = 0.7 * 2.5 * len(f"{other.prefix}10{other.suffix}") / 2 / sheets[f"workshop_car_{code}"].scale
+                assert all(abs(end[1]) > half for end in (each.start, each.end)), (code, each.name, other.name)
+
+
 def test_a_shaft_has_the_class_of_the_fits_that_are_stated(car: CarAssembly) -> None:
     """ISO 286: g6 over 6 to 10 mm is -5 to -14 µm, h6 0 to -9; over 3 to 6 mm g6 is -4 to -12."""
 

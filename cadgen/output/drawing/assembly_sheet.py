@@ -1,6 +1,6 @@
 """Sheets of a car put together: two views with balloons and the list of parts, and the steps of its mounting."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf
 from typing import NamedTuple
@@ -12,9 +12,10 @@ from shapely.geometry.base import BaseGeometry
 
 from cadgen.arrays import Array
 from cadgen.geometry.meshes.car_meshes import Seen
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.output.drawing.sheet import (
     EDGE,
+    HEIGHTS,
     LEFT,
     ROW,
     SCALES,
@@ -32,8 +33,10 @@ from cadgen.output.drawing.sheet import (
     beside_title,
     ring,
 )
+from cadgen.output.drawing.sheet_files import text_length
 
 _SIZE = "A3"
+_BESIDE = 3.0  # mm on paper beside the text of a cell, with room to spare
 _BALLOON, _APART = 7.0, 9.0  # mm on paper: diameter of a balloon, and distance of two in a column
 _ASIDE = 21.0  # mm on paper between a view and its balloons, which dimensions need
 _BETWEEN = 20.0  # mm on paper between the views
@@ -304,7 +307,7 @@ class ShaftMounting(NamedTuple):
     steps: tuple[MountingStep, ...]
 
 
-_STEP_WIDTHS = (7.0, 52.0, 28.0, 38.0, 82.0)
+_STEP_WIDTHS = (7.0, 52.0, 26.0, 40.0, 82.0)
 _LOOSE_WIDTHS = (7.0, 66.0, 10.0, 124.0)
 
 
@@ -326,14 +329,28 @@ def mounting_sheet(
         rows: list[tuple[str, ...]] = [("", Message("part"), Message("put on"), Message("place"), Message("how"))]
         for step in shaft.steps:
             number += 1
-            rows.append((str(number), step.part, step.way, step.place, step.remark))
+            rows += _folded((str(number), step.part, step.way, step.place, step.remark), _STEP_WIDTHS[-1])
         tables.append(SheetTable(title=shaft.title, at=(LEFT + 3.0, y), widths=_STEP_WIDTHS, rows=tuple(rows)))
         y -= tables[-1].height + 0.8 * ROW
     heads = Message("no."), Message("part"), Message("qty"), Message("where it belongs")
     belong = Message("parts that no view shows, by their numbers in the list")
-    tables.append(SheetTable(title=belong, at=(LEFT + 3.0, y), widths=_LOOSE_WIDTHS, rows=(heads, *loose)))
+    small = [line for row in loose for line in _folded(row, _LOOSE_WIDTHS[-1])]
+    tables.append(SheetTable(title=belong, at=(LEFT + 3.0, y), widths=_LOOSE_WIDTHS, rows=(heads, *small)))
     left = LEFT + 3.0 + wide + 6.0
     column = NoteColumn(at=(left, top), width=width - EDGE - left - 2.0, height=top - EDGE - title.height - 4.0)
     return DrawingSheet(
         size=_SIZE, scale=1.0, title=title, views=(), tables=tuple(tables), notes=tuple(notes), columns=(column,)
     )
+
+
+def _folded(row: tuple[str, ...], width: float) -> Iterator[tuple[str, ...]]:
+    """Row of a table, and further ones for what the last cell lists beyond its width (mm) in the least letters."""
+    *cells, last = row
+    lines: list[list[str]] = [[]]
+    for part in getattr(last, "parts", (last,)):
+        # With what stands beside a text in its cell.
+        if lines[-1] and HEIGHTS[-1] * text_length(joined([*lines[-1], part])) > width - _BESIDE:
+            lines.append([])
+        lines[-1].append(part)
+    for number, line in enumerate(lines):
+        yield *(cells if not number else [""] * len(cells)), line[0] if len(line) == 1 else joined(line)

@@ -198,7 +198,8 @@ def turned_drawing(
             extent_along = replace(extent_along, suffix=texts.length, beside=off)
         dimensions.append(extent_along)
     ends_of = {f"bore {step.bore:g}": (low, step.bore, 0) for step in steps if step.bore}
-    for step in sorted(steps, key=lambda each: each.diameter):
+    # Of a bored part at its last place, away from the bore's number, which the extension lines would cross.
+    for step in sorted(steps[:: -1 if ends_of else 1], key=lambda each: each.diameter):
         right = int((step.low + step.high) / 2 > (low + high) / 2)
         ends_of.setdefault(f"diameter {step.diameter:g}", (step.high if right else step.low, step.diameter, right))
     sides = [0, 0]

@@ -803,6 +803,10 @@ def scale_text(scale: float) -> str:
     return f"{scale:g}:1" if scale >= 1 else f"1:{1 / scale:g}"
 
 
+# A word of Latin letters or one letter; no line begins with a mark that closes, or ends with one that opens.
+_PIECES = re.compile(r"[（“]*(?:(?:± )?[!-~°µ×Ø]+|.)[，。；：、）”]*")
+
+
 def wrapped(note: str, width: float) -> list[str]:
     """Lines of a note that a column of a width (mm) holds; what follows the first line is indented.
 
@@ -813,7 +817,7 @@ def wrapped(note: str, width: float) -> list[str]:
     if not any(map(is_wide, note)):
         return wrap(note, int(width / (_LETTER * TEXT)), subsequent_indent=_INDENT)
     lines = [""]
-    for piece in re.findall(r"[!-~]+|.", note):  # a word of Latin letters, or one letter
+    for piece in re.findall(_PIECES, note):
         if TEXT * width_of(lines[-1] + piece) > width and lines[-1].strip():
             lines.append(_INDENT)
         lines[-1] += piece

@@ -10,7 +10,7 @@ from cadgen import Gear, GearPair
 from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.messages import shown
 from cadgen.output.drawing.gear_sheets import _TABLE, gear_rows
-from cadgen.output.drawing.sheet import TEXT
+from cadgen.output.drawing.sheet import TEXT, wrapped
 
 
 def test_form_circles_of_a_published_gear():
@@ -151,3 +151,12 @@ driver = { teeth = 20, helix_angle_deg = 0.0 }
                 2 * float(c.contour.radii[0]) for c in curves if isinstance(c, Closed) and c.line is LineKind.VISIBLE
             ]
             assert any(abs(size - float(sizes["tip diameter"].split()[0])) < 5e-4 for size in tips)
+
+
+def test_no_line_of_a_chinese_note_begins_with_a_mark_that_closes():
+    note = "从动杆的弹簧：套在转轴（上方）的轴颈上，以 ± 0.0025 mm 的精度保持；此时前轮向右偏 0.12°。"
+    for width in (20.0, 30.0, 41.0, 55.0):
+        lines = wrapped(note, width)
+        assert "".join(line.strip() for line in lines).replace(" ", "") == note.replace(" ", "")
+        assert len(lines) > 1
+        assert not any(line.strip()[0] in "，。；：、）°" or line.rstrip()[-1] in "（±" for line in lines)
