@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import pairwise
-from math import cos, degrees, pi, radians, sin, sqrt, tan
+from math import ceil, cos, degrees, pi, radians, sin, sqrt, tan
 
 from cadgen.errors import DesignError
 from cadgen.gears.pair import SAME_HELIX, Backlash, hand_of
@@ -19,6 +19,7 @@ from cadgen.parts.run import HelixRun
 
 # Wall behind the roots, in modules, where no height is given.
 USUAL_BACK = 2.0
+_PIN_STEP = 0.25  # mm, of pins that are sold
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,6 +124,22 @@ class RackForm:
     def length(self) -> float:
         """Length of the bar, mm."""
         return self.teeth * self.pitch
+
+    @property
+    def pin_diameter(self) -> float:
+        """Pin that rests on the flanks a little over the reference line, in steps of a quarter of a millimetre, mm."""
+        ideal = pi * self.normal_module / 2 / cos(self.normal_pressure_angle)
+        return ceil(ideal / _PIN_STEP - 1e-9) * _PIN_STEP if ideal > _PIN_STEP else ideal
+
+    def over_pin(self, deviation: float) -> float:
+        """Height from the back over a pin in a space: h + (d / (2 cos α) − e / 2) / tan α + d / 2, mm.
+
+        Args:
+            deviation: deviation of the normal tooth thickness, which narrows the space e, mm.
+        """
+        angle, pin = self.normal_pressure_angle, self.pin_diameter
+        half = pi * self.normal_module / 4 - deviation / 2
+        return self.back_height + (pin / 2 / cos(angle) - half) / tan(angle) + pin / 2
 
     @property
     def fillet_width(self) -> float:

@@ -350,6 +350,7 @@ class RackStage(Stage):
         middle = form.tooth_thickness_deviation
         ends = (middle + zone / 2, middle - zone / 2)
         sizes = inspection_of(form, *ends, self.pinion.pin_diameter)
+        thick, thin = (rack.tooth_thickness_deviation + side * self.rack_zone / 2 for side in (1, -1))
         bar = Figures(
             Figure("teeth", Message("teeth"), rack.teeth),
             Figure("module", Message("module m_n"), rack.normal_module, "mm"),
@@ -366,8 +367,11 @@ class RackStage(Stage):
             Figure("length", Message("length"), rack.length, "mm"),
             Figure("height", Message("height to the reference line"), rack.back_height, "mm"),
             Figure("E_sn", "E_sn", rack.tooth_thickness_deviation * 1e3, "µm"),
-            Figure("E_sns", "E_sns", (rack.tooth_thickness_deviation + self.rack_zone / 2) * 1e3, "µm"),
-            Figure("E_sni", "E_sni", (rack.tooth_thickness_deviation - self.rack_zone / 2) * 1e3, "µm"),
+            Figure("E_sns", "E_sns", thick * 1e3, "µm"),
+            Figure("E_sni", "E_sni", thin * 1e3, "µm"),
+            Figure("pin_diameter", Message("pin diameter"), rack.pin_diameter, "mm"),
+            Figure("over_pin_max", Message("height over a pin, greatest"), rack.over_pin(thick), "mm"),
+            Figure("over_pin_min", Message("height over a pin, least"), rack.over_pin(thin), "mm"),
         )
         return gear_figures(form, ends, sizes), bar
 

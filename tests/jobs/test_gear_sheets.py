@@ -5,6 +5,7 @@ import pytest
 import shapely
 
 from cadgen.design.load import train_of
+from cadgen.gears.rack import RackForm
 from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs, tip_tolerance
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
@@ -162,6 +163,29 @@ def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
     tips = frames(rack)["tips"]
     assert tips.characteristic == Characteristic.PARALLELISM
     assert tips.zone == pytest.approx(float(centre_distance_deviation(9.5, 7)))
+
+
+def test_a_pin_in_a_rack_touches_both_flanks_at_the_height_that_its_sheet_states(sheets) -> None:
+    """The pin's distance from the outline is its radius on either side; thicker teeth lift it."""
+    for helix, thickness in ((0.0, 0.0), (0.0, -0.06), (0.0, 0.02)):
+        rack = RackForm(teeth=4, normal_module=1.0, width=8.0, helix_angle=helix, tooth_thickness_deviation=thickness)
+        radius, height = rack.pin_diameter / 2, rack.over_pin(thickness)
+        centre = np.array([rack.pitch, height - rack.back_height - radius])
+        corners = np.array([[point.real, point.imag] for point in rack.outline.polygon(1e-5)])
+        bar = shapely.Polygon(corners)
+        assert bar.exterior.distance(shapely.Point(centre)) == pytest.approx(radius, abs=1e-5)
+        left, right = (shapely.box(*ends, 9.0) for ends in ((0, -9, centre[0]), (centre[0], -9, 9)))
+        touching = [bar.exterior.intersection(side).distance(shapely.Point(centre)) for side in (left, right)]
+        assert touching == pytest.approx([radius] * 2, abs=1e-5)
+        assert height - rack.back_height > rack.addendum_factor * rack.normal_module  # a micrometer reaches it
+    sheet = sheets["rack"]["2_rack"]
+    rows, said = dict(sheet.tables[0].rows), {each.name: each for view in sheet.views for each in view.dimensions}
+    # 1.75 mm of pin, h 8 mm, a tooth 10 to 60 µm thinner than pi / 2: by hand.
+    assert (rows["pin diameter D_M"], rows["over a pin from back, mm"]) == ("1.75 mm", "9.193 to 9.262")
+    assert sheet.dimensions["middle of the first tooth"] == pytest.approx(np.pi / 2)
+    assert said["height to the reference line"].exact
+    assert said["height"].suffix == " 0/-0.09"  # IT11 over 6 to 10 mm (ISO 286-1)
+    assert (said["height of the roots"].prefix, said["height of the roots"].suffix) == ("(", ")")
 
 
 def test_the_title_block_says_what_may_be_taken_off_an_edge(sheets) -> None:

@@ -14,11 +14,12 @@ from cadgen.gears.inspection import gauge_in
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
+from cadgen.gears.tolerances import tip_tolerance
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames, outline_tips, rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limited
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limited, limits
 from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
@@ -134,6 +135,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         (Message("span needs a face of"), mm("span_width_needed") if gear.value("span_max") is None else ""),
         (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm(gauge.diameter)),
         (Message("between balls, mm") if ring else pins, limits(gauge.size)),
+        (Message("over a pin from back, mm"), limits("over_pin")),
         (
             Message("contact + overlap ratio") if helix else Message("contact ratio"),
             " + ".join(
@@ -275,12 +277,23 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     if gear.simplified:
         box = np.array([[0.0, back], [length, back], [length, tip], [0.0, tip], [0.0, back]])
         teeth = Stroke(box), Stroke(np.array([[0.0, root], [length, root]]), LineKind.THIN)
+    half = rack.pitch / 2
+    middle_of_first = np.array([[half, root], [half, tip + gap]])
+    long = TEXT * WIDEST * len(rounded(half)) / 2
+    first = LinearDimension(
+        name="middle of the first tooth",
+        start=(0.0, tip),
+        end=(half, tip + gap),
+        at=(0.0, tip + gap),
+        beside=scale * half / 2 + TAIL + long + 1.0,
+    )
     face = View(
         place=face_at,
-        curves=(*teeth, Stroke(line, LineKind.CENTRE)),
+        curves=(*teeth, Stroke(line, LineKind.CENTRE), Stroke(middle_of_first, LineKind.CENTRE)),
         dimensions=(
             LinearDimension(name="length", start=(0.0, back), end=(length, back), at=(0.0, back - gap)),
-            upright("height to the reference line", 0.0, (back, 0.0), -gap, scale),
+            replace(upright("height to the reference line", 0.0, (back, 0.0), -gap, scale), exact=True),
+            first,
         ),
         labels=(Label(text=Message("from above"), at=(length / 2, back - 2.2 * gap), height=3.5),),
         symbols=(SurfaceTexture(value=gear.flank_texture, tip=(length + 0.3 * gap, 0.0)),)
@@ -288,13 +301,15 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
         else (),
     )
     corners = np.array([[0.0, back], [width, back], [width, tip], [0.0, tip], [0.0, back]])
+    tips_off = f" {limits(-tip_tolerance(tip - back, rack.normal_module), 0.0)}"
     side = View(
         place=side_at,
         curves=(Stroke(corners), Stroke(np.array([[0.0, root], [width, root]]))),
         dimensions=(
             LinearDimension(name="width", start=(0.0, back), end=(width, back), at=(0.0, back - gap)),
-            upright("height", width, (back, tip), width + gap, scale),
-            upright("height of the roots", width, (back, root), width + 2 * gap, scale),
+            upright("height", width, (back, tip), width + gap, scale, suffix=tips_off),
+            # In brackets: the pin says how deep it is cut.
+            upright("height of the roots", width, (back, root), width + 2 * gap, scale, "(", ")"),
         ),
         labels=(Label(text=Message("from the side"), at=(width / 2, back - 2.2 * gap), height=3.5),),
     )

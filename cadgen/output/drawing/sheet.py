@@ -539,7 +539,9 @@ def across_axis(name: str, z: float, ends: tuple[float, float], at: float, prefi
     return LinearDimension(name=name, start=(z, ends[0]), end=(z, ends[1]), at=(at, 0.0), angle=90.0, prefix=prefix)
 
 
-def upright(name: str, x: float, ends: tuple[float, float], at: float, scale: float) -> LinearDimension:
+def upright(
+    name: str, x: float, ends: tuple[float, float], at: float, scale: float, prefix: str = "", suffix: str = ""
+) -> LinearDimension:
     """Dimension of a height, its number over the arrows where there is no room between them.
 
     Args:
@@ -548,9 +550,11 @@ def upright(name: str, x: float, ends: tuple[float, float], at: float, scale: fl
         ends: lower and upper end, mm.
         at: place of the dimension line, mm.
         scale: mm on paper for a mm of the part.
+        prefix: before the number.
+        suffix: after it.
     """
     low, high = ends
-    long, room = TEXT * WIDEST * len(rounded(high - low)) + 4.0, scale * (high - low)
+    long, room = TEXT * WIDEST * len(f"{prefix}{rounded(high - low)}{suffix}") + 4.0, scale * (high - low)
     return LinearDimension(
         name=name,
         start=(x, low),
@@ -558,6 +562,8 @@ def upright(name: str, x: float, ends: tuple[float, float], at: float, scale: fl
         at=(at, low),
         angle=90.0,
         beside=0.0 if room > long else (room + long) / 2 + 1.0,
+        prefix=prefix,
+        suffix=suffix,
     )
 
 
