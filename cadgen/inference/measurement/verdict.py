@@ -13,11 +13,12 @@ from scipy.stats import norm
 from scipy.stats import t as student
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import UNITS, Active, Effect
+from cadgen.deviations.effect import UNITS, Effect
 from cadgen.inference.measurement.evidence import registered
 from cadgen.inference.measurement.hypothesis import Hypothesis
 from cadgen.inference.measurement.joint import Joint, Part
 from cadgen.inference.measurement.model import fourier, per_run, repeating
+from cadgen.inference.measurement.search import CHANCE
 from cadgen.messages import Message, joined
 
 # Runs disagree if the chi-square of their smooth differences has this chance or less.
@@ -116,6 +117,8 @@ LEAST_OF_FLOOR = 0.4
 _SUMMED = 5.0
 # Where an effect changes the readings by so many times what all do together, it is there to cancel others.
 CANCELS = 4.0
+# Where something has no name, a name of which the readings show less than so many times as much may be a part of it.
+OVER_NAMELESS = 1.3
 # RMS over the noise that thousands of rows of noise do not reach.
 LEFT_OVER = 1.3
 # Beside an unknown shape, effects are named only if they account for this share of the square of the residual.
@@ -235,6 +238,9 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
     if _cancel(joint, best):
         why = Message("effects that cancel each other over {times:g} times explain too little", times=CANCELS)
         judgement = unclaimed(judgement, judgement.claimed, why)
+    if judgement.verdict == Verdict.PARTIAL or shapes_of(best):
+        why = Message("less than {times:g} times what has no name", times=OVER_NAMELESS)
+        judgement = unclaimed(judgement, _under_nameless(joint, best), why)
     if left > LEFT_OVER:
         limit = Message(
             "what remains in {where} is {left:.1f} times its noise and has no name: something else is at work too",
@@ -366,15 +372,47 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     )
 
 
+def _square(part: Part, change: Array) -> float:
+    """Sum of squares of a change of a part's registered residual over its noise."""
+    return float(np.sum((registered(part.model, part.noise, change) / part.noise.rms) ** 2))
+
+
+def _changed(part: Part, best: Hypothesis, out: Collection[Effect]) -> float:
+    """Sum of squares, over the noise, of what some effects of a subset change together in a part."""
+    rest = [(e, v) for e, v in best.active if e not in out]
+    return _square(part, part.residual(rest) - part.residual(best.active))
+
+
 def _cancel(joint: Joint, best: Hypothesis) -> bool:
     """Does an effect of the subset change the readings by `CANCELS` times what all do together?"""
 
-    def change(rest: Active) -> float:
-        moved = ((p, registered(p.model, p.noise, p.residual(rest) - p.residual(best.active))) for p in joint.parts)
-        return float(np.sqrt(sum(np.sum((by / p.noise.rms) ** 2) for p, by in moved)))
+    def all_parts(out: Collection[Effect]) -> float:
+        return sum(_changed(part, best, out) for part in joint.parts)
 
-    whole = change([(e, v) for e, v in best.active if e not in best.effects])
-    return any(change([(e, v) for e, v in best.active if e != one]) > CANCELS * whole for one in best.effects)
+    whole = all_parts(best.effects)
+    return any(all_parts((one,)) > CANCELS**2 * whole for one in best.effects)
+
+
+def _under_nameless(joint: Joint, best: Hypothesis) -> list[str]:
+    """Names that in no record show `OVER_NAMELESS` times as much as what has no name there.
+
+    Nameless are the shapes of the subset, and what it leaves beyond the noise.
+    """
+    several = _of_several_orders(best)
+    shapes = [e for e in best.effects if e.shape or e.name in several]
+
+    def nameless(part: Part) -> float:
+        rows = len(part.model.rows.run)
+        left = _square(part, part.residual(best.active)) - rows
+        return _changed(part, best, shapes) + max(left, 0.0) + CHANCE * float(np.sqrt(2 * rows))
+
+    sizes = [nameless(part) for part in joint.parts]
+
+    def shows(effect: Effect) -> bool:
+        changes = [_changed(part, best, (effect,)) for part in joint.parts]
+        return any(change >= OVER_NAMELESS**2 * size for change, size in zip(changes, sizes, strict=True))
+
+    return [e.name for e in best.effects if e not in shapes and not shows(e)]
 
 
 def _explained(joint: Joint, found: list[Hypothesis], best: Hypothesis) -> float:
