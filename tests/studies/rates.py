@@ -58,7 +58,7 @@ def judged(seed: int, kind: str, sort: str, number: int) -> Found:
         found["errors"] = study.parameter_errors(case, weighed.best)
         found["sigmas"] = [abs(d) for w, h, s in study.sizes(case, weighed.best) for d in ((h - w) / s).tolist()]
     if sort in ("three", "four"):
-        (told,) = weighed.told()
+        (told,) = weighed.diagnoses()
         found["held"] = told.residual.left_out.repeating / told.residual.noise
     return found
 

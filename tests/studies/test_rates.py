@@ -3,6 +3,7 @@
 import json
 
 import numpy as np
+import pytest
 
 from tests.studies import rates
 from tests.studies.journal import outcomes, share
@@ -63,3 +64,15 @@ def test_a_journal_goes_on_where_it_was(tmp_path):
     assert found == [{"square": -1}, {"square": 4}, {"square": 9}]
     assert len(log.read_text().splitlines()) == 3
     assert outcomes(square, [(3,), (1,)], log) == [{"square": 9}, {"square": -1}]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("kind", "sort"), [("transmission", "three"), ("track", "single")])
+def test_a_case_of_each_sort_is_judged(kind, sort):
+    found = rates.judged(7, kind, sort, 0)
+    assert set(found["claimed"]) <= set(found["truth"])
+    if sort == "three":
+        assert 0.5 < found["held"] < rates.AS_QUIET
+    else:
+        assert 0.0 <= found["limit"] <= 1.0
+        assert len(found["errors"]) == len(found["truth"])

@@ -238,7 +238,7 @@ def judge(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hypothesis]
     if _cancel(joint, best):
         why = Message("effects that cancel each other over {times:g} times explain too little", times=CANCELS)
         judgement = unclaimed(judgement, judgement.claimed, why)
-    if judgement.verdict == Verdict.PARTIAL or shapes_of(best):
+    if shapes_of(best):
         why = Message("less than {times:g} times what has no name", times=OVER_NAMELESS)
         judgement = unclaimed(judgement, _under_nameless(joint, best), why)
     if left > LEFT_OVER:
@@ -372,15 +372,11 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     )
 
 
-def _square(part: Part, change: Array) -> float:
-    """Sum of squares of a change of a part's registered residual over its noise."""
-    return float(np.sum((registered(part.model, part.noise, change) / part.noise.rms) ** 2))
-
-
 def _changed(part: Part, best: Hypothesis, out: Collection[Effect]) -> float:
     """Sum of squares, over the noise, of what some effects of a subset change together in a part."""
     rest = [(e, v) for e, v in best.active if e not in out]
-    return _square(part, part.residual(rest) - part.residual(best.active))
+    change = registered(part.model, part.noise, part.residual(rest) - part.residual(best.active))
+    return float(np.sum((change / part.noise.rms) ** 2))
 
 
 def _cancel(joint: Joint, best: Hypothesis) -> bool:
@@ -394,19 +390,12 @@ def _cancel(joint: Joint, best: Hypothesis) -> bool:
 
 
 def _under_nameless(joint: Joint, best: Hypothesis) -> list[str]:
-    """Names that in no record show `OVER_NAMELESS` times as much as what has no name there.
-
-    Nameless are the shapes of the subset, and what it leaves beyond the noise.
-    """
+    """Names that in no record show `OVER_NAMELESS` times as much as the subset's shapes and chance do there."""
     several = _of_several_orders(best)
     shapes = [e for e in best.effects if e.shape or e.name in several]
 
-    def nameless(part: Part) -> float:
-        rows = len(part.model.rows.run)
-        left = _square(part, part.residual(best.active)) - rows
-        return _changed(part, best, shapes) + max(left, 0.0) + CHANCE * float(np.sqrt(2 * rows))
-
-    sizes = [nameless(part) for part in joint.parts]
+    by_chance = [CHANCE * float(np.sqrt(2 * len(part.model.rows.run))) for part in joint.parts]
+    sizes = [_changed(part, best, shapes) + more for part, more in zip(joint.parts, by_chance, strict=True)]
 
     def shows(effect: Effect) -> bool:
         changes = [_changed(part, best, (effect,)) for part in joint.parts]
