@@ -292,10 +292,12 @@ def source_of(design: Design | MotionDesign) -> CamMotion:
 def blank(design: Design | MotionDesign) -> Blank:
     """Features of the disc besides its profile.
 
-    A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built.
+    A key, and a set screw beside it, stand where they take out the phase that the cam has on the car as built. The
+    edges are broken as they are on that car, since the cam is made for its land.
     """
     given = design.blank
-    back = as_built(design).phase if isinstance(design, Design) and has_key(design) else 0.0
+    built = as_built(design) if isinstance(design, Design) else AS_DESIGNED
+    back = built.phase if has_key(design) else 0.0
     key: Keyway | DFlat | None = None
     if way := given.keyway:
         key = Keyway(width=way.width_mm, depth=way.depth_mm, angle=radians(way.angle_deg) - back)
@@ -319,7 +321,7 @@ def blank(design: Design | MotionDesign) -> Blank:
         if holes
         else None,
         mark=Mark(diameter=mark.diameter_mm, radius=mark.radius_mm, angle=radians(mark.angle_deg)) if mark else None,
-        edge_break=given.edge_break_mm or 0.0,
+        edge_break=(given.edge_break_mm or 0.0) + built.broken_edges,
     )
 
 

@@ -122,6 +122,13 @@ class AsBuilt:
                 less=less,
                 correct=correct,
             )
+        if rod.outer - rod.inner <= 0 < self.broken_edges:
+            raise DesignError(
+                "as built both edges are broken by {edges:g} mm more, which leaves no land of a rim of {land:g} mm: "
+                "correct broken_edges_um in [as_built]",
+                edges=self.broken_edges,
+                land=nominal.outer - nominal.inner,
+            )
         if rod.radius >= rod.inner:
             raise DesignError(
                 "as built the rod's radius is {radius:g} mm and the disc's inner face {inner:g} mm {where} the fork "
@@ -132,6 +139,11 @@ class AsBuilt:
                 correct=correct,
             )
         return rod
+
+    @property
+    def broken_edges(self) -> float:
+        """By how much more than in the design the disc's edges are broken, as a chamfer's leg, mm."""
+        return self._value(deviation.EDGE_BREAK) or 0.0
 
     def travel(self, nominal: float) -> float:
         """Travel of the drive wheel's rim for one turn of the cam, mm.

@@ -15,7 +15,7 @@ from cadgen.deviations.camera import CAMERA_EFFECTS
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.disc import LAST_LOBE, NOSE_WIDTHS_DEG, PROFILE_EFFECTS, undulation, worn_nose
 from cadgen.deviations.effect import Effect, Quantity
-from cadgen.deviations.instrument import LIFT_INSTRUMENT, PROFILE_INSTRUMENT, index_error
+from cadgen.deviations.instrument import LAST_INDEX, LIFT_INSTRUMENT, PROFILE_INSTRUMENT, index_error
 from cadgen.deviations.lift import LIFT_EFFECTS
 from cadgen.deviations.track import TRACK_EFFECTS
 from cadgen.deviations.transmission import RETURN_ERROR, TRAIN_EFFECTS, eccentric_encoder, runout, tooth_mesh
@@ -156,7 +156,7 @@ _MESHES = Family(
 )
 _DIVIDERS = Family(
     (index_error(2),),
-    re.compile(r"index error, order (\d)"),
+    re.compile(rf"index error, order ([2-{LAST_INDEX}])"),
     lambda match, indices: index_error(int(match[1])),
 )
 _CAMERAS = Family(

@@ -115,8 +115,11 @@ def index_error(order: int) -> Effect:
         name="index error" if once else Message("index error, order {order}", order=order),
         stage=ANGLE,
         parameters=tuple(
-            Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, Message("+: ahead where {part}(n theta) = 1", part=part))
-            for part in ("cos", "sin")
+            Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, meaning)
+            for part, at in (("cos", "0°"), ("sin", "90°"))
+            for meaning in [
+                Message("+: ahead at {at}", at=at) if once else Message("+: ahead where {part}(n theta) = 1", part=part)
+            ]
         ),
         act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place)),
         cause="" if once else "index error",

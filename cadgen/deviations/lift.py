@@ -100,20 +100,15 @@ BROKEN_EDGES = Effect(
     name="broken edges",
     stage=FOLLOWER,
     parameters=(
-        _um(
-            "broken_edges_um",
-            "+: both edges of the rim are broken more than in the design; break those of a new disc alike",
-            30.0,
-            2000.0,
-            -500.0,
-        ),
+        _um("broken_edges_um", "both edges of the rim are broken by so much more than designed", 30.0, 2000.0, 0.0),
     ),
     # The rod rides on the land between the chamfers, which begins so much farther in on either side.
     act=lambda seat, p, at: _moved_rod(seat, inner=p[0], outer=-p[0]),
     deviation=deviation.EDGE_BREAK,
-    places=(Place.CAR, Place.PART),
+    places=(Place.CAR,),
+    twins=("a thinner disc",),
     confused_with="a tilted indicator, wear of the edges",
-    separated_by="measure the land of the rim with a caliper, or look at its edges through a magnifier",
+    separated_by="measure thickness and land of the rim with a caliper, or look at its edges through a magnifier",
 )
 LIFT_EFFECTS = (
     # The shaft's run-out looks the same, and stays with the car.

@@ -145,9 +145,8 @@ TRACK_EFFECTS = (
     # A gain besides, and it turns the wheel by less on one side alone.
     replace(
         BROKEN_EDGES,
-        twins=("a rod that gives more to one side",),
+        twins=(*BROKEN_EDGES.twins, "a rod that gives more to one side"),
         confused_with="driven wheel's offset",
-        separated_by="measure the land of the rim with a caliper, or the lift by a dial",
     ),
 )
 

@@ -47,8 +47,7 @@ class Merged:
     def of(cls, records: Sequence[tuple[Kind, Model]]) -> "Merged":
         """Merge the catalogues of records, of one kind each.
 
-        An effect leads under the name that it has in the kind nearest to the car's run, with the twins that it has in
-        all. One that another kind calls by
+        An effect leads under the name that it has in the kind nearest to the car's run. One that another kind calls by
         the same name, but that is another thing there, has its kind written behind it.
         """
         groups: dict[tuple[str, ...], dict[int, Effect]] = {}
@@ -62,11 +61,6 @@ class Merged:
         for members in sorted(groups.values(), key=lambda m: min(nearness[n] for n in m)):
             number = min(members, key=lambda n: nearness[n])
             effect = members[number]
-            for same in members.values():
-                # What one kind cannot tell from it, another kind that shows it tells.
-                if not set(effect.twins) <= set(same.twins):
-                    twins = tuple(twin for twin in effect.twins if twin in same.twins)
-                    effect = replace(effect, twins=twins, separated_by=same.separated_by)
             if several and taken.setdefault(effect.name, number) != number:
                 effect = replace(effect, name=f"{effect.name} ({records[number][0]})", called=effect.name)
             leaders.append((effect, number, members))

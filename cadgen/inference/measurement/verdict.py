@@ -380,13 +380,18 @@ def _changed(part: Part, best: Hypothesis, out: Collection[Effect]) -> float:
 
 
 def _cancel(joint: Joint, best: Hypothesis) -> bool:
-    """Does an effect of the subset change the readings by `CANCELS` times what all do together?"""
+    """Does an effect of the subset change each record that it acts in by `CANCELS` times what all do together there?
 
-    def all_parts(out: Collection[Effect]) -> float:
-        return sum(_changed(part, best, out) for part in joint.parts)
+    An effect of an instrument stands beside one of the part that it cancels, as a divider that is set by the disc.
+    """
+    wholes = [_changed(part, best, best.effects) for part in joint.parts]
 
-    whole = all_parts(best.effects)
-    return any(all_parts((one,)) > CANCELS**2 * whole for one in best.effects)
+    def cancels(one: Effect) -> bool:
+        changes = [_changed(part, best, (one,)) for part in joint.parts]
+        acting = [(c, whole) for c, whole in zip(changes, wholes, strict=True) if c > 0]
+        return bool(acting) and all(change > CANCELS**2 * whole for change, whole in acting)
+
+    return not any(e.instrument for e in best.effects) and any(map(cancels, best.effects))
 
 
 def _under_nameless(joint: Joint, best: Hypothesis) -> list[str]:
