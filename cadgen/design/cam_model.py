@@ -297,7 +297,7 @@ def blank(design: Design | MotionDesign) -> Blank:
     """
     given = design.blank
     built = as_built(design) if isinstance(design, Design) else AS_DESIGNED
-    back = built.phase if has_key(design) else 0.0
+    back = built.phase if isinstance(design, Design) and has_key(design) else 0.0
     key: Keyway | DFlat | None = None
     if way := given.keyway:
         key = Keyway(width=way.width_mm, depth=way.depth_mm, angle=radians(way.angle_deg) - back)

@@ -203,6 +203,16 @@ def test_the_rods_and_the_cars_numbers(carbon_free_car):
         none.follower(carbon_free_car.follower)
 
 
+def test_broken_edges_leave_the_land_between_them(carbon_free_car):
+    rod = carbon_free_car.follower
+    car = as_built(("track", "broken edges", (0.2,), "car"))
+    land = car.follower(rod)
+    assert (land.inner, land.outer) == pytest.approx((rod.inner + 0.2, rod.outer - 0.2))
+    assert (car.broken_edges, AsBuilt().broken_edges) == (0.2, 0.0)
+    with pytest.raises(DesignError, match=r"leaves no land of a rim of 3 mm: correct broken_edges_um"):
+        as_built(("lift", "broken edges", (1.5,), "car")).follower(rod)
+
+
 def test_a_nose_that_is_not_there_is_refused(carbon_free_car):
     effect = kind_of("profile").named("worn nose", {"nose_number": 9})
     car = AsBuilt((Placed(effect, (0.02, 0.07), "part"),))

@@ -449,3 +449,14 @@ def test_the_outlook_is_of_the_places_that_the_effects_have(built):
     # What is not known has no figure; but a refusal is not lifted by a change of places.
     assert sentence("noted", "car", 0.0).startswith("What the new cam is expected to do is not known")
     assert sentence("noted", "car", 0.31, False).startswith("What the new cam is expected to do is not known")
+
+
+def test_the_next_disc_has_its_edges_broken_as_they_were_found(tmp_path):
+    text = packaged_designs()["carbon_free_car"].read_text()
+    found = effect("track", "broken edges", "car", broken_edges_um=196.0)
+    for place, wanted in (("car", 0.196), ("noted", 0.0)):
+        (tmp_path / "car.toml").write_text(text + "\n[as_built]\n" + found.replace('"car"', f'"{place}"'))
+        design = load_design(tmp_path / "car.toml")
+        rod, (inner, outer) = cam_model.follower(design), design.cam.faces_mm
+        assert cam_model.blank(design).edge_break == pytest.approx(wanted)
+        assert (rod.inner, rod.outer) == pytest.approx((inner + wanted, outer - wanted))

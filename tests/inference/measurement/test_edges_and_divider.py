@@ -50,6 +50,15 @@ def test_a_divider_that_errs_several_times_a_turn_is_named(world, nominal, order
     assert found(told)["index_sin_deg"].value == pytest.approx(0.0, abs=0.01)
 
 
+def test_a_divider_set_by_the_disc_leaves_the_cam_phase_of_the_track_claimed(world, nominal):
+    """On the lift a phase and the zero of the divider cancel, since that is what the zero is for."""
+    rng = np.random.default_rng(6)
+    for told in calibrate([world.track(Car(phase=0.5 * DEG), rng), world.dial(Car(), rng)], nominal):
+        assert "cam phase" in told.judgement.sentence
+        assert not any("cancel" in str(limit) for limit in told.judgement.limits)
+        assert told.judgement.claimed
+
+
 def test_the_rod_rides_between_the_broken_edges(synthetic_car):
     rod = synthetic_car.built.follower
     moved = BROKEN_EDGES.act(Seat(rod), np.array([0.1]), None).follower
