@@ -163,6 +163,18 @@ def _dent(rng: np.random.Generator) -> Callable[[float], Odd]:
 # Steps of the path: 1 + a is a share of travel more, 1 + ib a heading that is off by b while it goes there.
 
 
+def _turned_anew(path: np.ndarray, change: Change) -> np.ndarray:
+    """Factors of the steps for a path whose turn in each step is another."""
+    heading = np.unwrap(np.angle(np.diff(path)))
+    turn = np.diff(heading, prepend=heading[0])
+    return np.exp(1j * np.cumsum(change(turn) - turn))
+
+
+def _travelling(path: np.ndarray, share: np.ndarray) -> np.ndarray:
+    """Factors of the steps where the drive wheel goes a share of its way: the car turns by that share, too."""
+    return share * _turned_anew(path, lambda turn: share * turn)
+
+
 def _travelled(path: np.ndarray) -> np.ndarray:
     """Travel before each step, mm."""
     return np.concatenate([[0], np.cumsum(np.abs(np.diff(path)))])[:-1]
@@ -175,12 +187,16 @@ def _rippled_floor(rng: np.random.Generator) -> Callable[[float], Odd]:
 
 def _flat_spot(rng: np.random.Generator) -> Callable[[float], Odd]:
     at = rng.uniform(0, 1)
-    return lambda k: Odd(path=lambda path: 1 - k * (np.abs((45 * _SHARE - at) % 1 - 0.5) < 0.06))
+    return lambda k: Odd(path=lambda path: _travelling(path, 1 - k * (np.abs((45 * _SHARE - at) % 1 - 0.5) < 0.06)))
 
 
 def _slips_at_start(rng: np.random.Generator) -> Callable[[float], Odd]:
     over = rng.uniform(100, 1000)
-    return lambda k: Odd(path=lambda path: 1 - np.minimum(k / over, 0.9) * np.exp(-_travelled(path) / over))
+
+    def factors(path: np.ndarray, k: float) -> np.ndarray:
+        return _travelling(path, 1 - np.minimum(k / over, 0.9) * np.exp(-_travelled(path) / over))
+
+    return lambda k: Odd(path=lambda path: factors(path, k))
 
 
 def _post(rng: np.random.Generator) -> Callable[[float], Odd]:
@@ -190,14 +206,7 @@ def _post(rng: np.random.Generator) -> Callable[[float], Odd]:
 
 def _carpet(rng: np.random.Generator) -> Callable[[float], Odd]:
     first, wide = rng.uniform(0.1, 0.5), rng.uniform(0.1, 0.3)
-    return lambda k: Odd(path=lambda path: 1 + k * (np.abs(_SHARE - first - wide / 2) < wide / 2))
-
-
-def _turned_anew(path: np.ndarray, change: Change) -> np.ndarray:
-    """Factors of the steps for a path whose turn in each step is another."""
-    heading = np.unwrap(np.angle(np.diff(path)))
-    turn = np.diff(heading, prepend=heading[0])
-    return np.exp(1j * np.cumsum(change(turn) - turn))
+    return lambda k: Odd(path=lambda path: _travelling(path, 1 + k * (np.abs(_SHARE - first - wide / 2) < wide / 2)))
 
 
 def _relaxed(turn: np.ndarray, share: float) -> np.ndarray:
