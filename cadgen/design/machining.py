@@ -238,7 +238,7 @@ class DrawingText(DesignSection):
     material: str | None = Field(
         default=None,
         description="of the disc as a workshop orders it, such as `aluminium EN AW-6082`, for sheets, lists, masses "
-        "and feeds alone: its friction goes by `blank.material`; left out, that",
+        "and feeds alone: its friction goes by `blank.material`; left out, or where that is another one, that",
     )
     quantity: int = Field(default=1, ge=1, le=10_000, description="how many of each part are made")
     owner: str | None = Field(default=None, description="legal owner of the drawings, such as a school or a firm")

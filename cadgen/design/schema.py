@@ -26,7 +26,6 @@ from cadgen.cam.followers.kind import FollowerSeat
 from cadgen.cam.followers.rod_kind import ROD
 from cadgen.cam.limits import PressureAngleLimitName
 from cadgen.car.course.layout import Side
-from cadgen.car.running.friction import named_material
 from cadgen.design.as_built import AsBuiltSection
 from cadgen.design.blank import BlankSection
 from cadgen.design.course import CourseSection, OutlineSection
@@ -524,20 +523,6 @@ class DiscFile(TrainFile):
                     "{thickness:g} mm: lower it",
                     height_mm=tabs.height_mm,
                     thickness=outer - inner,
-                )
-            )
-        return self
-
-    @model_validator(mode="after")
-    def _drawn_material_is_that_of_the_disc(self) -> "DiscFile":
-        drawn, stated = self.drawing.material if self.drawing else None, self.blank.material
-        if stated and (named := named_material(drawn)) and named != stated:
-            raise ValueError(
-                Message(
-                    'drawing.material is "{drawn}", but blank.material is "{stated}", by which its friction goes: '
-                    "state the same in both, or remove one",
-                    drawn=drawn,
-                    stated=stated,
                 )
             )
         return self

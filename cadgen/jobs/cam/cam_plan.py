@@ -69,6 +69,8 @@ class Making:
         blank = design.blank
         screw = blank.hub.set_screw if blank.hub else None
         ordered = design.drawing.material if design.drawing else None
+        if blank.material and named_material(ordered) not in (None, blank.material):
+            ordered = None  # the disc is tried of another material, by which its friction goes
         return cls(
             material=blank.material or named_material(ordered),
             ordered=ordered or Message(str(blank.material or "")),
