@@ -134,7 +134,7 @@ class OddKind:
         signed: whether it may have either sign.
         beside: field of the car without which it does nothing; empty if there is none.
         grows: effects of the catalogue that it is at a size which changes in the run, by their names: from nothing to
-            so many rad or mm, or such a share, for a size of 1; a flat spot takes its share of a turn off the radius.
+            so many rad or mm, or such a share, for a size of 1. A flat spot takes its share off the radius.
         twin: of an effect of the catalogue, as that states it; empty if there is none.
     """
 
