@@ -1,8 +1,8 @@
 """Fits of a part on its shaft as a sheet states them: classes beside dimensions, and limit deviations in a table.
 
-The keyway of a hub and the seat in its shaft may be deeper than stated, and no shallower, by limits that go with the
-key's width (DIN 6885-1, depths t2 and t1; GB/T 1095 has the same). A keyway is P9 wide for a tight key, JS9 for an easy
-one, and the key itself h9; the seat is P9 for either, so that the play is that in the hub.
+The keyway of a hub and the seat in its shaft may be deeper than stated, and no shallower. The limits go with the key's
+width (DIN 6885-1, depths t2 and t1; GB/T 1095 has the same). A keyway is P9 wide for a tight key, JS9 for an easy one,
+and the key itself h9; the seat is P9 for either, so that the play is that in the hub.
 """
 
 from collections.abc import Iterator
