@@ -71,6 +71,8 @@ class Making:
         ordered = design.drawing.material if design.drawing else None
         if blank.material and named_material(ordered) not in (None, blank.material):
             ordered = None  # the disc is tried of another material, by which its friction goes
+        if ordered and (known := named_material(ordered)) and ordered.startswith(f"{known} "):
+            ordered = Message("{material} {grade}", material=Message(known), grade=ordered.removeprefix(f"{known} "))
         return cls(
             material=blank.material or named_material(ordered),
             ordered=ordered or Message(str(blank.material or "")),
