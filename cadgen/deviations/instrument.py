@@ -111,15 +111,16 @@ LAST_INDEX = 4  # an ellipse makes two, and the jaws that hold a divider three o
 def index_error(order: int) -> Effect:
     """Error of the divider that repeats so many times a turn: the angle is off by p0 cos(n theta) + p1 sin(n theta)."""
     once = order == 1
+
+    def ahead(part: str, at: str) -> Message:
+        return Message("+: ahead at {at}", at=at) if once else Message("+: ahead where {part}(n theta) = 1", part=part)
+
     return Effect(
         name="index error" if once else Message("index error, order {order}", order=order),
         stage=ANGLE,
         parameters=tuple(
-            Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, meaning)
+            Parameter.of(f"index_{part}_deg", 2.0, 0.02, 0.02, ahead(part, at))
             for part, at in (("cos", "0°"), ("sin", "90°"))
-            for meaning in [
-                Message("+: ahead at {at}", at=at) if once else Message("+: ahead where {part}(n theta) = 1", part=part)
-            ]
         ),
         act=lambda angle, p, at: np.asarray(angle + p[0] * np.cos(order * at.place) + p[1] * np.sin(order * at.place)),
         cause="" if once else "index error",

@@ -664,7 +664,7 @@ class _Parts:
         )
 
     def screws(self) -> Iterator[CarPart]:
-        """Set screws of hubs, by their threads: those that the design states, and M3 else."""
+        """Set screws of hubs by the threads that the design states, and M3 where it states none."""
         shafts = len(self.groups)
         hubs = [
             (turning.part.blank.hub, self.making.shaft(turning.part.shaft, shafts).fit)

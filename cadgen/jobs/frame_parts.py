@@ -203,7 +203,7 @@ def _where(parts: list[Bought]) -> str:
 
 
 def material_of(frame: CarFrame) -> str | None:
-    """Material of base, platform, block and brackets as a design states it: that of the plates is of sheets alone.
+    """Material of base, platform, block and brackets as a design states it; a printed frame has none from its plates.
 
     Args:
         frame: frame of the car.

@@ -351,32 +351,35 @@ def _below_floor(joint: Joint, h: Hypothesis) -> bool:
     Together, because two near twins of opposite sign can make any small shape that neither makes. A camera knows no
     form error.
     """
-    keys = [e.key for e in h.effects if not e.stage.of_instrument]
+    own = [e for e in h.effects if not e.stage.of_instrument]
     least = LEAST_OF_FLOOR * np.array([part.model.floor for part in joint.parts])
 
-    def changes(some: Collection[str]) -> list[Array]:
-        rest = [(e, v) for e, v in h.active if e.key not in some]
-        return [registered(p.model, p.noise, p.residual(h.active) - p.residual(rest)) for p in joint.parts]
+    def changes(some: Collection[Effect]) -> list[Array]:
+        return [_change(part, h, some) for part in joint.parts]
 
     def below(changed: Iterable[Array], times: float = 1.0) -> bool:
         return all(np.sqrt(np.mean(c**2)) < times * small for c, small in zip(changed, least, strict=True))
 
-    alone = {key: changes((key,)) for key in keys}
+    alone = {e.key: changes((e,)) for e in own}
     if any(map(below, alone.values())):
         return True
     # What several change is near the sum of what each does: only where that is small are they taken out together.
-    several = chain.from_iterable(combinations(keys, size) for size in range(2, len(keys) + 1))
-    summed = ((some, zip(*(alone[key] for key in some), strict=True)) for some in several)
+    several = chain.from_iterable(combinations(own, size) for size in range(2, len(own) + 1))
+    summed = ((some, zip(*(alone[e.key] for e in some), strict=True)) for some in several)
     return any(
         below((np.sum(part, axis=0) for part in parts), _SUMMED) and below(changes(some)) for some, parts in summed
     )
 
 
-def _changed(part: Part, best: Hypothesis, out: Collection[Effect]) -> float:
+def _change(part: Part, h: Hypothesis, some: Collection[Effect]) -> Array:
+    """Change of a part's registered residual by some effects of a subset together, shape (n,), internal units."""
+    rest = [(e, v) for e, v in h.active if e not in some]
+    return registered(part.model, part.noise, part.residual(h.active) - part.residual(rest))
+
+
+def _changed(part: Part, best: Hypothesis, some: Collection[Effect]) -> float:
     """Sum of squares, over the noise, of what some effects of a subset change together in a part."""
-    rest = [(e, v) for e, v in best.active if e not in out]
-    change = registered(part.model, part.noise, part.residual(rest) - part.residual(best.active))
-    return float(np.sum((change / part.noise.rms) ** 2))
+    return float(np.sum((_change(part, best, some) / part.noise.rms) ** 2))
 
 
 def _cancel(joint: Joint, best: Hypothesis) -> bool:

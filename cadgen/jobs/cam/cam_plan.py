@@ -69,12 +69,13 @@ class Making:
         blank = design.blank
         screw = blank.hub.set_screw if blank.hub else None
         ordered = design.drawing.material if design.drawing else None
-        if blank.material and named_material(ordered) not in (None, blank.material):
-            ordered = None  # the disc is tried of another material, by which its friction goes
-        if ordered and (known := named_material(ordered)) and ordered.startswith(f"{known} "):
+        known = named_material(ordered)
+        if blank.material and known not in (None, blank.material):
+            ordered = known = None  # the disc is tried of another material, by which its friction goes
+        if ordered and known and ordered.startswith(f"{known} "):
             ordered = Message("{material} {grade}", material=Message(known), grade=ordered.removeprefix(f"{known} "))
         return cls(
-            material=blank.material or named_material(ordered),
+            material=blank.material or known,
             ordered=ordered or Message(str(blank.material or "")),
             fit=ShaftFit.of(blank, blank.bore_fit, screw.thread if screw else None),
             screwed=screw is not None,

@@ -7,6 +7,7 @@ and the key itself h9; the seat is P9 for either, so that the play is that in th
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import inf
 
 from cadgen.design.blank import Held, ShaftJoint
 from cadgen.gears.fits import STEPS, deviations, zones_of
@@ -15,12 +16,11 @@ from cadgen.output.drawing.sheet import DIAMETER, SheetTable, rounded
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import DFlat, Flats, Keyway
 
-_DEEPER = ((6.0, 0.1), (32.0, 0.2))  # greatest width of a key, and upper deviation of its hub's keyway, mm
-_DEEPEST = 0.3  # upper deviation for wider keys, mm
-_LONGER = ((28.0, 0.2), (80.0, 0.3))  # greatest length of a key, and upper deviation of its seat's length, mm
-_LONGEST = 0.5  # upper deviation for longer keys, mm
-_FILLETS = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6))  # greatest width of a key, and r2 in its seat, mm
-_WIDEST_FILLET = 1.0  # for wider keys, mm
+# Greatest size of a key, and what it has up to that size, mm.
+_Steps = tuple[tuple[float, float], ...]
+_DEEPER: _Steps = ((6.0, 0.1), (32.0, 0.2), (inf, 0.3))  # by the width: upper deviation of depths
+_LONGER: _Steps = ((28.0, 0.2), (80.0, 0.3), (inf, 0.5))  # by the length: upper deviation of a seat's length
+_FILLETS: _Steps = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6), (inf, 1.0))  # by the width: r2 of a seat
 _TIGHT = {
     ShaftJoint.CLAMPED: Message("clamped"),
     ShaftJoint.PINNED: Message("pinned"),
@@ -148,7 +148,7 @@ def deeper(width: float) -> float:
     Args:
         width: width of the key, mm.
     """
-    return next((more for widest, more in _DEEPER if width <= widest), _DEEPEST)
+    return _up_to(width, _DEEPER)
 
 
 def longer(length: float) -> float:
@@ -157,7 +157,7 @@ def longer(length: float) -> float:
     Args:
         length: length of the seat, mm.
     """
-    return next((more for longest, more in _LONGER if length <= longest), _LONGEST)
+    return _up_to(length, _LONGER)
 
 
 def fillet(width: float) -> float:
@@ -166,7 +166,11 @@ def fillet(width: float) -> float:
     Args:
         width: width of the key, mm.
     """
-    return next((most for widest, most in _FILLETS if width <= widest), _WIDEST_FILLET)
+    return _up_to(width, _FILLETS)
+
+
+def _up_to(size: float, steps: _Steps) -> float:
+    return next(value for greatest, value in steps if size <= greatest)
 
 
 def limits(low: float, high: float) -> str:
