@@ -20,7 +20,6 @@ from cadgen.deviations import deviation
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ECCENTRIC_BORE
 from cadgen.deviations.effect import Effect, Group, Parameter, Stage
-from cadgen.deviations.lift import BROKEN_EDGES
 from cadgen.deviations.return_error import DRAG, FRICTIONS, MEASURE_FRICTION, friction, return_error, rubbing
 from cadgen.messages import Message
 
@@ -142,12 +141,6 @@ TRACK_EFFECTS = (
     RETURN_ERROR,
     SLIDING_FRICTION,
     ECCENTRIC,
-    # A gain besides, and it turns the wheel by less on one side alone.
-    replace(
-        BROKEN_EDGES,
-        twins=(*BROKEN_EDGES.twins, "a rod that gives more to one side"),
-        confused_with="driven wheel's offset",
-    ),
 )
 
 

@@ -205,7 +205,7 @@ def test_the_rods_and_the_cars_numbers(carbon_free_car):
 
 def test_broken_edges_leave_the_land_between_them(carbon_free_car):
     rod = carbon_free_car.follower
-    car = as_built(("track", "broken edges", (0.2,), "car"))
+    car = as_built(("lift", "broken edges", (0.2,), "car"))
     land = car.follower(rod)
     assert (land.inner, land.outer) == pytest.approx((rod.inner + 0.2, rod.outer - 0.2))
     assert (car.broken_edges, AsBuilt().broken_edges) == (0.2, 0.0)

@@ -453,7 +453,7 @@ def test_the_outlook_is_of_the_places_that_the_effects_have(built):
 
 def test_the_next_disc_has_its_edges_broken_as_they_were_found(tmp_path):
     text = packaged_designs()["carbon_free_car"].read_text()
-    found = effect("track", "broken edges", "car", broken_edges_um=196.0)
+    found = effect("lift", "broken edges", "car", broken_edges_um=196.0)
     for place, wanted in (("car", 0.196), ("noted", 0.0)):
         (tmp_path / "car.toml").write_text(text + "\n[as_built]\n" + found.replace('"car"', f'"{place}"'))
         design = load_design(tmp_path / "car.toml")

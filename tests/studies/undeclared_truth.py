@@ -402,9 +402,7 @@ KINDS = {
     ),
     "edge worn on one flank": OddKind(("track",), _car("flank"), 0.02),
     "bounce": OddKind(("track",), _car("bounce"), 0.05, signed=False),
-    "bent rod": OddKind(
-        ("track",), _car("bends"), 0.1, grows={"lever gain": 1.0}, twin="a rod that gives more to one side"
-    ),
+    "bent rod": OddKind(("track",), _car("bends"), 0.1, grows={"lever gain": 1.0}),
     "cogging": OddKind(("transmission",), _car("cogs"), 0.5 * DEG),
     "damaged tooth": OddKind(("track", "transmission"), _car("tooth"), 2.0 * DEG),
     "dent": OddKind(("track", "lift", "profile"), _dent, 0.3),
