@@ -142,13 +142,26 @@ def test_tips_are_smaller_by_no_more_than_a_tenth_of_the_module(sheets) -> None:
 def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
     pinion, cluster = sheets["two stages"]["1_pinion"], sheets["two stages"]["2_cluster"]
     said = frames(pinion)
-    assert said.keys() == {"tip circle, gear", "lower face"}
+    assert said.keys() == {"tip circle, gear", "lower face", "keyway"}
+    del said["keyway"]
     assert {(each.characteristic, each.datums) for each in said.values()} == {(Characteristic.RUN_OUT, ("A",))}
     assert datums(pinion) == "A"
     assert frames(cluster).keys() == {"tip circle, lower gear", "tip circle, upper gear", "lower face"}
     # Of the ring the outer circle is the datum.
     assert datums(sheets["ring"]["2_wheel"]) == "A"
     assert "tip circle, gear" in frames(sheets["ring"]["2_wheel"])
+
+
+def test_the_middle_of_a_keyway_is_held_to_the_bore(sheets) -> None:
+    """The frame stands in line with the width: grade 8 of GB/T 1184 for 2 mm is 10 µm."""
+    sheet = sheets["two stages"]["1_pinion"]
+    frame = frames(sheet)["keyway"]
+    assert (frame.characteristic, frame.zone_text, frame.datums) == (Characteristic.SYMMETRY, "0.01", ("A",))
+    (width,) = (each for view in sheet.views for each in view.dimensions if each.name == "keyway width")
+    assert (frame.tip[0], abs(frame.tip[1])) == pytest.approx((width.at[0], 2.0 / 2))
+    assert frame.tip[1] * frame.bend[1] > 0.0  # outwards along the line of the dimension
+    assert frame.bend[0] == pytest.approx(frame.tip[0], abs=1e-4)
+    assert frame.tip[1] * width.beside < 0.0  # at the end that the number leaves free
 
 
 def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:

@@ -54,6 +54,7 @@ from cadgen.output.drawing.sheet import (
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    free_end,
     have_room,
     keyway_width,
     over_title,
@@ -355,13 +356,10 @@ def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeat
         held: dimension of the width.
         scale: mm on paper for a mm of the part.
     """
-    way = -1.0 if held.beside > 0 else 1.0
-    along = way * np.array([cos(np.radians(held.angle)), sin(np.radians(held.angle))])
-    base = np.array(held.at)
-    far = max(float((np.array(end) - base) @ along) for end in (held.start, held.end))
+    end, out = free_end(held)
     # An arrow that points inwards for want of room has its tail outside.
-    x, y = (base + (far + (TAIL / scale if held.beside else 0.0)) * along).tolist()
-    return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (0.0 if way > 0 else 180.0))
+    x, y = (end + (TAIL / scale if held.beside else 0.0) * out).tolist()
+    return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (180.0 if held.beside > 0 else 0.0))
 
 
 def _sense(cam: CamPart, scale: float) -> tuple[list[Stroke], Label]:

@@ -19,7 +19,7 @@ from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames, outline_tips, rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limited, limits
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, limited, limits, off_middle
 from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
@@ -56,6 +56,7 @@ from cadgen.output.drawing.sheet import (
     centre_cross,
     chosen_sheet,
     cutting_plane,
+    free_end,
     have_room,
     keyway_width,
     length_of,
@@ -65,6 +66,7 @@ from cadgen.output.drawing.sheet import (
     rounded,
     run_out,
     section_name,
+    symmetry,
     upright,
 )
 from cadgen.output.files.plate import Axis, Plate
@@ -200,8 +202,10 @@ class GearPart:
     @property
     def has_datum(self) -> bool:
         """Whether run-outs or places are stated, and there is a bore or an outer circle to count them from."""
-        held = bool(self.part.blank.bore_diameter) or is_ring(self.part.gears[0])
-        return held and (bool(self.pins) or any(each is not None for each in self.run_outs))
+        blank = self.part.blank
+        held = bool(blank.bore_diameter) or is_ring(self.part.gears[0])
+        stated = bool(self.pins) or isinstance(blank.key, Keyway) or any(each is not None for each in self.run_outs)
+        return held and stated
 
 
 def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
@@ -234,13 +238,15 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
         _, under = columns_of(size)
         return under.height >= 0.0 and have_room(notes, columns_of(size))
 
-    beside = table_width + 74.0
+    # The leader of a keyway's symmetry passes the frames on the left of the section.
+    between = 30.0 + (12.0 if isinstance(gear.part.blank.key, Keyway) else 0.0)
+    beside = table_width + 44.0 + between
     size, scale = chosen_sheet((across + axial, across), (beside, TITLE_SIZE[1] + 30.0), 1.0, 5.0, holds)
     width, height = SIZES[size]
     spare = width - LEFT - EDGE - beside - scale * (across + axial)
     middle = EDGE + TITLE_SIZE[1] + (height - 2 * EDGE - TITLE_SIZE[1]) / 2 + 2.0
     face_at = (LEFT + 14.0 + max(spare, 0.0) / 2 + scale * across / 2, middle)
-    section_at = (face_at[0] + scale * across / 2 + 30.0, middle)
+    section_at = (face_at[0] + scale * across / 2 + between, middle)
     return DrawingSheet(
         size=size,
         scale=scale,
@@ -423,6 +429,13 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     placed = room.dimensions(dimensions, labels)
     bores = [each for each in placed if isinstance(each, DiameterDimension) and each.name == "bore"]
     symbols: list[Symbol] = [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
+    wide = next((each for each in placed if isinstance(each, LinearDimension) and each.name == "keyway width"), None)
+    if wide and isinstance(blank.key, Keyway):
+        # To the left: frames of the section stand on the right.
+        end, out = free_end(wide)
+        symbols.append(
+            room.frame(symmetry("keyway", off_middle(blank.key.width)), [(end, out - [1e-6, 0.0])], range(8, 60, 3))
+        )
     if holes and gear.pins and symbols:
         pins = ToleranceFrame(
             name="pins",

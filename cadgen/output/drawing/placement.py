@@ -180,16 +180,17 @@ class Room:
         ]
         return self._best(every)
 
-    def frame(self, frame: Led, tips: Sequence[tuple[Array, Array]]) -> Led:
+    def frame(self, frame: Led, tips: Sequence[tuple[Array, Array]], leaders: Sequence[float] = _LEADERS) -> Led:
         """A tolerance frame, or the sign of a texture on a leader, where there is room beside its feature.
 
         Args:
             frame: tolerance or texture, wherever it stands.
             tips: points of the feature, mm on the part, each with the direction that leads away from the material.
+            leaders: lengths of the leader, mm on paper.
         """
         every = []
         for point, out in tips:
-            for number, way in enumerate(_LEADERS):
+            for number, way in enumerate(leaders):
                 end = point + way / self._scale * out
                 placed = replace(frame, tip=(float(point[0]), float(point[1])), bend=(float(end[0]), float(end[1])))
                 every.append((placed, _FAR * way * (number + 1) + 2.0 * float(abs(out[1]) > 0.97)))

@@ -21,6 +21,10 @@ _Steps = tuple[tuple[float, float], ...]
 _DEEPER: _Steps = ((6.0, 0.1), (32.0, 0.2), (inf, 0.3))  # by the width: upper deviation of depths
 _LONGER: _Steps = ((28.0, 0.2), (80.0, 0.3), (inf, 0.5))  # by the length: upper deviation of a seat's length
 _FILLETS: _Steps = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6), (inf, 1.0))  # by the width: r2 of a seat
+# By the width: symmetry to the axis, grade 8 of GB/T 1184 (table B.4), which GB/T 1095 has between 7 and 9.
+_SYMMETRY: _Steps = (
+    (3.0, 0.01), (6.0, 0.012), (10.0, 0.015), (18.0, 0.02), (30.0, 0.025), (50.0, 0.03), (inf, 0.04)
+)  # fmt: skip
 _TIGHT = {
     ShaftJoint.CLAMPED: Message("clamped"),
     ShaftJoint.PINNED: Message("pinned"),
@@ -167,6 +171,17 @@ def fillet(width: float) -> float:
         width: width of the key, mm.
     """
     return _up_to(width, _FILLETS)
+
+
+def off_middle(width: float) -> float:
+    """Width of the zone in which the middle of a keyway or seat lies about the axis, mm.
+
+    DIN 6885-1 states none. GB/T 1095 takes grades 7 to 9 of GB/T 1184, of which this is 8.
+
+    Args:
+        width: width of the key, mm.
+    """
+    return _up_to(width, _SYMMETRY)
 
 
 def _up_to(size: float, steps: _Steps) -> float:

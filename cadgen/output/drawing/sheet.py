@@ -209,6 +209,7 @@ class Characteristic(StrEnum):
     PARALLELISM = "parallelism"
     PERPENDICULARITY = "perpendicularity"
     COAXIALITY = "coaxiality"
+    SYMMETRY = "symmetry"
     RUN_OUT = "circular run-out"
 
 
@@ -605,6 +606,37 @@ def line_datum(letter: str, held: LinearDimension, scale: float, reach: float = 
     short = scale * abs(held.end[1] - held.start[1]) < SHORT  # an arrow that points inwards has its tail outside
     return DatumFeature(
         letter=letter, foot=(held.at[0], low - (TAIL / scale if short else 0.0)), angle=270.0, reach=reach
+    )
+
+
+def free_end(held: LinearDimension) -> tuple[Array, Array]:
+    """End of a dimension at which its number does not stand, and the unit vector that leads outwards there.
+
+    Symbols of what is in the middle stand in line with the dimension there (ISO 1101, ISO 5459).
+
+    Args:
+        held: dimension of a width.
+    """
+    turn = np.radians(held.angle)
+    out = (-1.0 if held.beside > 0 else 1.0) * np.array([np.cos(turn), np.sin(turn)])
+    base = np.array(held.at)
+    return base + max(float((np.array(end) - base) @ out) for end in (held.start, held.end)) * out, out
+
+
+def symmetry(name: str, zone: float) -> ToleranceFrame:
+    """Symmetry of a width to datum A, wherever the frame stands.
+
+    Args:
+        name: feature, by which a test finds it again.
+        zone: width of the tolerance zone, mm.
+    """
+    return ToleranceFrame(
+        name=name,
+        characteristic=Characteristic.SYMMETRY,
+        zone=zone,
+        datums=("A",),
+        tip=(0.0, 0.0),
+        bend=(1.0, 0.0),
     )
 
 

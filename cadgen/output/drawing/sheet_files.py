@@ -106,6 +106,9 @@ _SYMBOLS = {
     Characteristic.COAXIALITY: tuple(
         np.column_stack([radius * np.cos(2 * _HALF_TURN), radius * np.sin(2 * _HALF_TURN)]) for radius in (0.3, 0.6)
     ),
+    Characteristic.SYMMETRY: tuple(
+        np.array([[-half, up], [half, up]]) for half, up in ((0.35, 0.35), (0.7, 0.0), (0.35, -0.35))
+    ),
     Characteristic.PARALLELISM: tuple(np.array([[start - 0.3, -0.6], [start + 0.3, 0.6]]) for start in (-0.2, 0.2)),
     Characteristic.PERPENDICULARITY: (
         np.array([[-0.6, -0.5], [0.6, -0.5]]),
