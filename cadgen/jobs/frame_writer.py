@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from io import StringIO
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -75,6 +76,18 @@ def _not_stated(frame: CarFrame) -> dict[str, str]:
     return {name: key for name, (key, value) in stated.items() if not value}
 
 
+class _Zero(NamedTuple):
+    """Datum of a sheet part: zero of its sheet, outline, solid and program.
+
+    Attributes:
+        at: its place in the part's frame, mm.
+        name: what it is, for people.
+    """
+
+    at: tuple[float, float]
+    name: str
+
+
 @dataclass(frozen=True, slots=True)
 class _Files:
     """Files of a frame while they are made."""
@@ -103,10 +116,12 @@ class _Files:
             self.progress(Message("writing {stem}", stem=stem))
             material = plates.material or "" if panel in frame.plates else others
             known = named_material(material)
-            yield from panel_files(panel, self.staging, stem, text, machining, frame.sizes.seat, known)
+            zero = self._zero(panel)
+            counted = panel.counted_from(*zero.at)
+            yield from panel_files(counted, self.staging, stem, text, machining, frame.sizes.seat, known)
             if keys.printed:
-                yield from self._meshes(panel.shape, stem, text)
-            sheet = panel_drawing(panel, self._words(panel), self._title(panel.name, material, stem))
+                yield from self._meshes(counted.shape, stem, text)
+            sheet = panel_drawing(counted, self._words(panel, zero), self._title(panel.name, material, stem))
             yield from write_sheet(self.staging, stem, sheet, self.omitted)
         stem = f"{job.stem}_block"
         yield from block_files(frame.block, self.staging, stem, text)
@@ -133,15 +148,17 @@ class _Files:
             Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low)
             for name, (left, low, right, high) in feet
         )
-        walls = tuple(Contour(rectangle(*bounds), np.zeros(4)) for _, bounds in feet)
-        words = replace(self._words(frame.base), walls=walls)
+        zero = self._zero(frame.base)
+        walls = tuple(Contour(rectangle(*bounds) - zero.at, np.zeros(4)) for _, bounds in feet)
+        words = replace(self._words(frame.base, zero), walls=walls)
         words = replace(words, notes=(*words.notes, *self._print_notes(printed)))
-        whole = replace(frame.base, features=(*frame.base.features, *features))
+        whole = replace(frame.base, features=(*frame.base.features, *features)).counted_from(*zero.at)
         sheet = panel_drawing(whole, words, self._title(Message("frame in one piece"), material, stem))
         yield from write_sheet(self.staging, stem, sheet, self.omitted)
         for wall in frame.standing:
             title = self._title(Message("frame in one piece: {wall}", wall=wall.name), material, f"{stem}_{wall.code}")
-            sheet = panel_drawing(wall, self._words(wall), title)
+            zero = self._zero(wall)
+            sheet = panel_drawing(wall.counted_from(*zero.at), self._words(wall, zero), title)
             yield from write_sheet(self.staging, f"{stem}_{wall.code}", sheet, self.omitted)
 
     def _print_notes(self, printed: OnePiece) -> Iterator[Message]:
@@ -170,7 +187,15 @@ class _Files:
         design = self.job.design
         return title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
 
-    def _words(self, panel: Panel) -> PanelText:
+    def _zero(self, panel: Panel) -> _Zero:
+        """Datum on a sheet part: two edges of the base; else the first seat of a shaft, or the first hole."""
+        if panel is self.job.frame.base or not panel.holes:
+            left, low = panel.outline.vertices.min(axis=0).tolist()  # all its arcs are in the material
+            return _Zero((left, low), Message("left and lower edge"))
+        hole = min(panel.holes, key=lambda each: (not (each.fit and each.shaft), each.shaft))
+        return _Zero((hole.u, hole.v), hole.name)
+
+    def _words(self, panel: Panel, zero: _Zero) -> PanelText:
         frame = self.job.frame
         train, zones = gear_model.train(self.job.design), dict[int, float]()
         if panel in frame.plates:
@@ -182,19 +207,16 @@ class _Files:
             notes = [Message("Wall of the frame that is printed in one piece, {size:g} mm thick.", size=thick)]
         elif walls and panel is frame.base:
             notes = [Message("Base of {size:g} mm with walls on its upper face.", size=thick)]
-        datum = Message("axis of the camshaft")
         between: list[tuple[str, tuple[float, float], tuple[float, float]]] = []
         if panel is frame.base:
             notes += self._base_notes()
             a = frame.site.base_radius
-            datum = Message("axis of the camshaft, and inner face of the disc")
-            between.append(("camshaft to fork axis", (0.0, 0.0), (-a, -frame.site.fork)))
+            left, low = zero.at
+            between.append(("camshaft to fork axis", (-left, -low), (-a - left, -frame.site.fork - low)))
         elif panel is frame.platform or panel.code == "guide_top":
             notes.append(Message("Seen from above, the front of the car to the left."))
-            datum = Message("axis of the camshaft, and inner face of the disc")
         elif panel.code in ("bracket_micrometer", "wall_micrometer"):
             notes.append(Message("Seen from before the car."))
-            datum = Message("height of the camshaft, and inner face of the disc")
         else:
             notes.append(Message("Seen from the left of the car, its front to the left."))
         if panel in frame.plates:
@@ -205,7 +227,7 @@ class _Files:
                 Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - CLEAR))
             )
         thread = frame.sizes.screw.thread
-        return PanelText(datum=datum, notes=tuple(notes), between=tuple(between), zones=zones, thread=thread)
+        return PanelText(datum=zero.name, notes=tuple(notes), between=tuple(between), zones=zones, thread=thread)
 
     def _base_notes(self) -> Iterator[Message]:
         frame = self.job.frame

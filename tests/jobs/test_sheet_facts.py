@@ -5,16 +5,19 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
+import ezdxf
 import numpy as np
 import pytest
 import shapely
 
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.car.assembly.fork_sizes import JOURNAL
+from cadgen.car.assembly.panels import Panel
 from cadgen.car.assembly.standard_parts import key_size
 from cadgen.design import gear_model
 from cadgen.design.blank import TIGHT
 from cadgen.design.load import complete_of, load_design, packaged_designs, read_design
+from cadgen.design.machining import Machining
 from cadgen.design.schema import Design
 from cadgen.jobs import frame_writer
 from cadgen.jobs.assembly_checks import assembly_verdict
@@ -45,13 +48,15 @@ from cadgen.output.drawing.sheet import (
     placed_notes,
 )
 from cadgen.output.drawing.sheet_files import document_of
+from cadgen.output.files.dxf import write_dxf
+from cadgen.output.files.sheet_nc import sheet_program
 from tests.jobs.test_gear_sheets import apart, frame_boxes
 from tests.output.drawing.table_cells import leaving
 from tests.output.drawing.test_drawings import boxes
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
-# Sheets say in one of these ways what they count from: axis and face, axis of the camshaft, face of the bore, angle 0.
-DATUMS = ("Datum", "axis of the camshaft", "height of the camshaft", "0°")
+# Sheets say in one of these ways what they count from: axis and face, a hole or edges, angle 0.
+DATUMS = ("Datum", "from the datum: ", "0°")
 # Words of the mounting page, the assembly's sheet and the checks that are features of a part, or need one to be done:
 # the beginning of its code. A word that is neither here nor below nor in a title of the list is a part that is missing.
 NEEDS = {
@@ -103,18 +108,23 @@ def sheets(car: CarAssembly) -> dict[str, DrawingSheet]:
     }
 
 
-def of_frame(car: CarAssembly) -> dict[str, DrawingSheet]:
-    """Sheets of the frame, whose files are not written here."""
+def of_frame(car: CarAssembly, panels: dict[str, Panel] | None = None) -> dict[str, DrawingSheet]:
+    """Sheets of the frame, whose files are not written here; its sheet parts, as the files have them, are kept."""
     found: dict[str, DrawingSheet] = {}
 
     def collect(_staging: Path, stem: str, sheet: DrawingSheet, _omitted: dict[str, str]) -> tuple[()]:
         found[stem] = sheet
         return ()
 
+    def keep(panel: Panel, _folder: Path, stem: str, *_: object) -> tuple[()]:
+        if panels is not None:
+            panels[stem] = panel
+        return ()
+
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(frame_writer, "write_sheet", collect)
-        for name in ("panel_files", "block_files"):
-            patch.setattr(frame_writer, name, lambda *_, **__: ())
+        patch.setattr(frame_writer, "panel_files", keep)
+        patch.setattr(frame_writer, "block_files", lambda *_, **__: ())
         patch.setattr(frame_writer, "text_file", lambda *_: None)
         patch.setattr(frame_writer, "publish", lambda _stem, out, files, *_, **__: list(files(out)))
         frame_writer.write_frame(frame_in(car.layout), Path("nowhere"))
@@ -190,6 +200,33 @@ def test_a_frame_refers_to_every_datum_and_leaning_sides_have_their_ends(sheets:
     assert (
         len([row for row in sheets["workshop_car_frame_plate_near"].tables[0].rows if row[4].startswith("corner")]) > 3
     )
+
+
+@pytest.mark.slow
+def test_sheet_outline_and_program_of_a_frame_have_one_zero_on_the_part(car: CarAssembly, tmp_path: Path) -> None:
+    panels: dict[str, Panel] = {}
+    sheets, design = of_frame(car, panels), frame_in(car.layout).frame
+    assert len(panels) == 6
+    for stem, panel in panels.items():
+        write_dxf(tmp_path / "outline.dxf", panel.outline, None, panel.openings)
+        space = ezdxf.readfile(tmp_path / "outline.dxf").modelspace()
+        circles = [(*each.dxf.center.vec2, 2 * each.dxf.radius) for each in space.query("CIRCLE")]
+        rows = [row for row in sheets[stem].tables[0].rows if row[3].startswith("Ø")]
+        told = [(float(row[1]), float(row[2]), float(row[3].split()[0][1:])) for row in rows]
+        assert sorted(circles) == pytest.approx(np.array(sorted(told)), abs=6e-4), stem
+        sheet_program(panel, tmp_path, "part", Machining(cutter_diameter_mm=2.0), "car", "")
+        program = (tmp_path / "part.nc").read_text()
+        turns = re.findall(r"\(hole \S+ mm\)\n.*?G3 X(\S+) Y(\S+) Z\S+ I(\S+) J(\S+)", program, re.DOTALL)
+        milled = [(float(x) + float(i), float(y) + float(j)) for x, y, i, j in turns]
+        assert sorted(milled) == pytest.approx(np.array(sorted(told))[:, :2], abs=6e-4), stem
+        if stem.endswith("_base"):  # two edges
+            assert panel.outline.vertices.min(axis=0).tolist() == [0.0, 0.0]
+        else:
+            assert (0.0, 0.0) in milled, stem
+        (whole,) = (each for each in design.sheets if stem.endswith(f"_{each.code}"))
+        for one, other in zip(panel.holes, whole.holes, strict=True):  # where it was in the car
+            at = [each.place.out(np.array([[hole.u, hole.v, 0.0]])) for each, hole in ((panel, one), (whole, other))]
+            assert at[0] == pytest.approx(at[1], abs=1e-9)
 
 
 def test_every_part_that_is_made_has_a_sheet_that_says_all_of_it(

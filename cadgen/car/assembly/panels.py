@@ -5,7 +5,7 @@ opened by a half circle through the corner, as deep as the cutter is wide.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import hypot, sqrt
 from typing import NamedTuple
 
@@ -163,6 +163,29 @@ class Panel:
         """Exact volume, mm³."""
         area = self.outline.area() - sum(opening.area() for opening in self.openings)
         return self.thickness * area - sum(np.pi * each.diameter**2 / 4 * each.depth for each in self.edge_holes)
+
+    def counted_from(self, u: float, v: float) -> "Panel":
+        """Sheet at its place in the car whose own frame has its zero at one of its points.
+
+        Args:
+            u: place of the point along the first axis of the frame as it is, mm.
+            v: its place along the second axis, mm.
+        """
+        by = np.array([u, v])
+
+        def contour(each: Contour) -> Contour:
+            return replace(each, vertices=each.vertices - by)
+
+        return replace(
+            self,
+            outline=contour(self.outline),
+            cuts=tuple(map(contour, self.cuts)),
+            holes=tuple(each._replace(u=each.u - u, v=each.v - v) for each in self.holes),
+            edge_holes=tuple(each._replace(u=each.u - u, v=each.v - v) for each in self.edge_holes),
+            features=tuple(each._replace(u=each.u - u, v=each.v - v) for each in self.features),
+            place=replace(self.place, shift=self.place.out(np.array([[u, v, 0.0]]))[0]),
+            rooms=tuple(shapely.transform(each, lambda points: points - by) for each in self.rooms),
+        )
 
     def beside(self, room: shapely.Polygon) -> float:
         """Least material between what a screw takes in its foot and its sides, mm.

@@ -1,6 +1,6 @@
 """Sheets of a frame: its sheet parts with every hole from one datum, and the fork's block."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -54,6 +54,7 @@ _WIDTHS = (9.0, 18.0, 18.0, 36.0, 58.0)  # of the columns of a sheet part's tabl
 _WITHIN_CHORD = 0.05  # mm, of outlines between which a text has room
 _WITHIN = 8.0  # mm on paper, least width and height with room for a number
 _LEANS = 0.1  # mm by which both ends of a leaning side are apart either way
+_CAPTION = 2.6  # gaps from a section to its caption
 _NUMBER = 3.0  # mm on paper from a hole to its number
 
 
@@ -98,14 +99,14 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return over_title([table_of(size)], table_width, title), beside_title(size)
 
-    extent = (max(right, 0.0) - min(left, 0.0), max(high, 0.0) - min(low, 0.0))
+    extent = (right - left, high - low)
     beside = (table_width + (90.0 if text.zones else 42.0), TITLE_SIZE[1] + 34.0)
     size, scale = chosen_sheet(extent, beside, 1.0, 2.0, lambda size: have_room(text.notes, columns_of(size)))
     gap = _GAP / scale
     room_high = SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]
     place = (
-        LEFT + 26.0 - scale * min(left, 0.0),
-        EDGE + TITLE_SIZE[1] + 4.0 + (room_high - scale * extent[1]) / 2 - scale * min(low, 0.0),
+        LEFT + 26.0 - scale * left,
+        EDGE + TITLE_SIZE[1] + 4.0 + (room_high - scale * extent[1]) / 2 - scale * low,
     )
     curves: list[Closed | Stroke] = [Closed(each) for each in (panel.outline, *panel.cuts, *text.walls)]
     for hole in panel.holes:
@@ -115,33 +116,38 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         half = edge.diameter / 2
         corners = rectangle(edge.u - half, edge.v, edge.u + half, edge.v + edge.depth)
         curves.append(Stroke(np.vstack([corners, corners[:1]]), LineKind.HIDDEN))
-    curves += centre_cross(5.0 / scale)
+    marked = [(0.0, 0.0), *(end for _, *ends in text.between for end in ends)]
+    for point in marked:
+        curves += centre_cross(5.0 / scale, point)
     room = Room(curves, scale)
     dimensions: list[Dimension] = [
         LinearDimension(name="length", start=(left, low), end=(right, low), at=(left, low - 2 * gap)),
-        upright("height", left, (low, high), min(left, 0.0) - 1.6 * gap, scale),
-        _to_datum("datum along", (left, low), (left, low - gap), 0.0, scale),
-        _to_datum("datum across", (left, low), (min(left, 0.0) - 0.8 * gap, low), 90.0, scale),
+        upright("height", left, (low, high), left - 1.6 * gap, scale),
     ]
+    if round(left, 6):  # else the datum is the corner
+        dimensions.append(_to_datum("datum along", (left, low), (left, low - gap), 0.0, scale))
+    if round(low, 6):
+        dimensions.append(_to_datum("datum across", (left, low), (left - 0.8 * gap, low), 90.0, scale))
     for number, (name, start, end) in enumerate(text.between):
-        over = max(high, 0.0) + (0.9 + 0.9 * number) * gap
+        over = high + (0.9 + 0.9 * number) * gap
         made = LinearDimension(name=name, start=start, end=end, at=(start[0], over), prefix="(", suffix=")")
         dimensions.append(made)  # auxiliary: not of the part, but of how it is set
     for dimension in dimensions:
         room.take(dimension)
-    labels = [Label(text="0", at=(-3.0 / scale, -3.0 / scale), height=3.5)]
     seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
     seats.sort(key=lambda hole: hole.shaft)
     framed = [
         (f"seat of shaft {each.shaft}", (each.u, each.v), each.diameter, text.zones[each.shaft]) for each in seats
     ]
     symbols = tuple(hole_frames(framed, room))  # numbers of holes then stand where no leader is
+    at_zero = max((hole.diameter / 2 for hole in panel.holes if (hole.u, hole.v) == (0.0, 0.0)), default=0.0)
+    labels = [room.label("0", (0.0, 0.0), max(scale * at_zero + _NUMBER + 0.5, 5.0), 3.5)]
     labels += [
         room.label(str(number), (hole.u, hole.v), scale * hole.diameter / 2 + _NUMBER, 2.5)
         for number, hole in enumerate(panel.holes, 1)
     ]
     labels += [
-        _number(room, str(number), feature, scale)
+        _number(room, str(number), feature, scale, marked)
         for number, feature in enumerate(panel.features, len(panel.holes) + 1)
     ]
     before = len(panel.holes) + len(panel.features)
@@ -163,7 +169,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels), symbols=symbols)
     ]
     if framed:
-        aside = (place[0] + scale * max(right, 0.0) + 22.0, place[1])
+        aside = (place[0] + scale * right + 22.0, place[1])
         seen = [(hole.v, hole.diameter) for hole in panel.holes]
         views.append(edge_view(panel.thickness, (low, high), seen, aside, scale))
     table, columns = table_of(size), columns_of(size)
@@ -180,7 +186,7 @@ def _to_datum(
     return replace(made, beside=upright(name, 0.0, (0.0, length_of(made)), 0.0, scale).beside)
 
 
-def _number(room: Room, number: str, feature: Feature, scale: float) -> Label:
+def _number(room: Room, number: str, feature: Feature, scale: float, marked: Sequence[tuple[float, float]]) -> Label:
     """Number of a slot, tab or opening: within it where it has room, else beside its outline.
 
     Args:
@@ -188,10 +194,12 @@ def _number(room: Room, number: str, feature: Feature, scale: float) -> Label:
         number: number.
         feature: what it stands for.
         scale: mm on paper for a mm of the part.
+        marked: points with a cross, off which it keeps, mm.
     """
     along, across = scale * feature.along, scale * feature.across
     if along > _WITHIN and across > _WITHIN:
-        label = Label(text=number, at=(feature.u, feature.v))
+        aside = 0.25 * any(np.hypot(u - feature.u, v - feature.v) < _WITHIN / scale for u, v in marked)
+        label = Label(text=number, at=(feature.u + aside * feature.along, feature.v + aside * feature.across))
         room.take(label)
         return label
     return room.label(number, (feature.u, feature.v), _NUMBER, TEXT, (along / 2, across / 2))
@@ -286,7 +294,8 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
     height = SIZES[size][1]
     middle = EDGE + TITLE_SIZE[1] + (height - 2 * EDGE - TITLE_SIZE[1]) / 2
     above = (LEFT + 45.0 + scale * half, middle)
-    section = (above[0] + 2 * scale * half + 48.0, middle - scale * tall / 2)
+    lowest = EDGE + TITLE_SIZE[1] + _CAPTION * _GAP + 4.0  # the caption keeps off the title block
+    section = (above[0] + 2 * scale * half + 48.0, max(middle - scale * tall / 2, lowest))
     top: list[Closed | Stroke] = [
         Closed(_box(-half, -across, half, across)),
         ring(seat.diameter),
@@ -389,7 +398,7 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
                 upright("depth of the lower seat", half, (0.0, seat.width), half + gap, scale),
                 upright("depth of the threads' holes", -half, (0.0, block.depth), -half - gap, scale),
             ),
-            labels=(Label(text=Message("section along the car"), at=(0.0, -2.6 * gap), height=3.5),),
+            labels=(Label(text=Message("section along the car"), at=(0.0, -_CAPTION * gap), height=3.5),),
         ),
     )
     return DrawingSheet(
