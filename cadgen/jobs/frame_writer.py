@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cadgen.car.assembly.car_parts import Block, Joined
+from cadgen.car.assembly.frame.foot_joints import FIT, SHEET_SHARE
 from cadgen.car.assembly.frame.one_piece import OnePiece, foot_of
 from cadgen.car.assembly.panels import Feature, Panel, rectangle
 from cadgen.car.running.friction import named_material
@@ -227,7 +228,16 @@ class _Files:
                 Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - CLEAR))
             )
         thread = frame.sizes.screw.thread
-        return PanelText(datum=zero.name, notes=tuple(notes), between=tuple(between), zones=zones, thread=thread)
+        slots = [each for each in frame.base.features if each.pattern == panel.code]
+        held = SHEET_SHARE if any(all(each.fitted) for each in slots) else 0.0
+        return PanelText(
+            datum=zero.name,
+            notes=tuple(notes),
+            between=tuple(between),
+            zones=zones,
+            thread=thread,
+            thickness_share=held,
+        )
 
     def _base_notes(self) -> Iterator[Message]:
         frame = self.job.frame
@@ -253,4 +263,6 @@ class _Files:
                 way=way,
             )
         if frame.printed is None:
-            yield Message("Slots are 0.1 mm longer and wider than the tabs in them: try one first.")
+            yield Message(
+                "Slots are {fit:g} mm wider than the sheets in them: measure those first, and try one.", fit=FIT
+            )

@@ -717,3 +717,39 @@ def test_the_mounting_plan_says_order_direction_place_and_hold(car: CarAssembly)
     assert facts.keys() == facts_of_the_page()["On the mounting plan"]
     camshaft = [str(step.part) for step in tables[0].steps]
     assert camshaft.index("key of the disc") < camshaft.index("disc of the cam")
+
+
+def test_tabs_go_into_their_slots_by_the_limits_that_the_sheets_state(car: CarAssembly) -> None:
+    """Largest tabs and smallest slots, their distances off against each other, and the thickest sheet."""
+    panels: dict[str, Panel] = {}
+    sheets = of_frame(car, panels)
+
+    def limited_sizes(cell: str) -> list[tuple[float, float]]:
+        return [(float(size), float(off or 0)) for size, off in re.findall(r"([\d.]+)(?:±([\d.]+))?", cell)]
+
+    def joints(stem: str, name: str) -> list[tuple[float, float, list[tuple[float, float]]]]:
+        rows = [row for row in sheets[stem].tables[0].rows if row[4] == name]
+        return [(float(row[1]), float(row[2]), limited_sizes(row[3])) for row in rows]
+
+    def distances(stem: str) -> list[list[tuple[float, float]]]:
+        return [limited_sizes(row[3]) for row in sheets[stem].tables[0].rows if row[4].startswith("distance")]
+
+    base = "workshop_car_frame_base"
+    slots, apart = joints(base, "slot for a tab"), distances(base)
+    closed = 0
+    for number, code in enumerate(("plate_near", "plate_far", "bracket_idle", "bracket_micrometer")):
+        stem = f"workshop_car_frame_{code}"
+        (one, other), (((between, off),),) = joints(stem, "tab"), distances(stem)
+        pair, along = slots[2 * number : 2 * number + 2], int(code == "bracket_micrometer")
+        assert between == pytest.approx(abs(other[0] - one[0]), abs=1e-9)
+        assert between == pytest.approx(abs(pair[1][along] - pair[0][along]), abs=1e-9)
+        widest, least = sum(one[2][0]), pair[0][2][along][0] - pair[0][2][along][1]
+        assert off > 0
+        assert least - widest >= off + apart[number][0][1] - 1e-9, code  # each pair may be off the other way
+        if pair[0][2][1 - along][1]:  # a slot that is closed all around
+            closed += 1
+            sign = next(each.suffix for each in sheets[stem].views[1].dimensions if each.name == "thickness")
+            thickest = panels[stem].thickness + float(sign.removeprefix(" ±"))
+            narrowest = pair[0][2][1][0] - pair[0][2][1][1]
+            assert narrowest - thickest >= apart[number][1][1] - 1e-9
+    assert closed == 1

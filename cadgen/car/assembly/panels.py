@@ -107,6 +107,8 @@ class Feature(NamedTuple):
         v: likewise.
         along: size along u, mm.
         across: size along v, mm.
+        pattern: code of the sheet whose tabs these are, or go in here; empty for others.
+        fitted: whether size along u and size along v are of a fit.
     """
 
     name: str
@@ -114,6 +116,8 @@ class Feature(NamedTuple):
     v: float
     along: float
     across: float
+    pattern: str = ""
+    fitted: tuple[bool, bool] = (False, False)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)

@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 import numpy as np
 import shapely
 
+from cadgen.car.assembly.frame.foot_joints import SHARE
 from cadgen.car.assembly.frame.fork_block import ForkBlock
 from cadgen.car.assembly.panels import THREAD_END, Feature, Panel, rectangle
 from cadgen.curves.contour import Contour
@@ -50,7 +52,7 @@ from cadgen.output.drawing.sheet import (
 )
 
 _GAP = 9.0  # mm on paper from the part to a dimension line, and from line to line
-_WIDTHS = (9.0, 18.0, 18.0, 36.0, 58.0)  # of the columns of a sheet part's table, mm
+_WIDTHS = (11.0, 18.0, 18.0, 37.0, 58.0)  # of the columns of a sheet part's table, mm
 _WITHIN_CHORD = 0.05  # mm, of outlines between which a text has room
 _WITHIN = 8.0  # mm on paper, least width and height with room for a number
 _LEANS = 0.1  # mm by which both ends of a leaning side are apart either way
@@ -69,6 +71,7 @@ class PanelText:
         zones: zones of the seats of shafts by their numbers, mm; none where no distance has a tolerance.
         thread: name of the threads in the foot.
         walls: feet of the walls that stand on the part, mm.
+        thickness_share: greatest deviation of the thickness, mm; 0 where the general tolerance holds.
     """
 
     datum: str
@@ -77,6 +80,12 @@ class PanelText:
     zones: Mapping[int, float] = field(default_factory=dict)
     thread: str = ""
     walls: tuple[Contour, ...] = ()
+    thickness_share: float = 0.0
+
+    @property
+    def thickness_limits(self) -> str:
+        """Limits of the thickness as they follow it; empty where the general tolerance holds."""
+        return f" ±{self.thickness_share:g}" if self.thickness_share else ""
 
 
 def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
@@ -160,8 +169,8 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         for number, corner in enumerate(slanted_corners(panel), before + len(panel.edge_holes) + 1)
     ]
     if not text.zones and not text.walls:  # else a view from the side has it, or walls stand on it
-        across = TEXT * WIDEST * len(f"t = {rounded(panel.thickness)}")
-        for label in _thickness_places(panel, across / scale, scale):
+        sign = f"t = {rounded(panel.thickness)}{text.thickness_limits}"
+        for label in _thickness_places(panel, sign, scale):
             room.take(label)
             labels.append(label)
             break
@@ -171,7 +180,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     if framed:
         aside = (place[0] + scale * right + 22.0, place[1])
         seen = [(hole.v, hole.diameter) for hole in panel.holes]
-        views.append(edge_view(panel.thickness, (low, high), seen, aside, scale))
+        views.append(edge_view(panel.thickness, (low, high), seen, aside, scale, text.thickness_limits))
     table, columns = table_of(size), columns_of(size)
     return DrawingSheet(
         size=size, scale=scale, title=title, views=tuple(views), tables=(table,), notes=text.notes, columns=columns
@@ -205,14 +214,15 @@ def _number(room: Room, number: str, feature: Feature, scale: float, marked: Seq
     return room.label(number, (feature.u, feature.v), _NUMBER, TEXT, (along / 2, across / 2))
 
 
-def _thickness_places(panel: Panel, across: float, scale: float) -> Iterator[Label]:
+def _thickness_places(panel: Panel, sign: str, scale: float) -> Iterator[Label]:
     """Thickness of a sheet as `t = 6` (ISO 129-1) where material has room for it, the roomiest place first.
 
     Args:
         panel: sheet part.
-        across: width of the text, mm on the part.
+        sign: thickness as it is written.
         scale: mm on paper for a mm of the part.
     """
+    across = TEXT * WIDEST * len(sign) / scale
     solid = shapely.Polygon(panel.outline.polygon(_WITHIN_CHORD))
     open_areas = [shapely.Polygon(cut.polygon(_WITHIN_CHORD)) for cut in panel.cuts]
     open_areas += [shapely.Point(hole.u, hole.v).buffer(hole.diameter / 2 + 5.0 / scale) for hole in panel.holes]
@@ -228,7 +238,7 @@ def _thickness_places(panel: Panel, across: float, scale: float) -> Iterator[Lab
         (area.boundary.distance(line), place) for line, place in zip(texts, grid, strict=True) if area.contains(line)
     ]
     for _, place in sorted(clear, reverse=True)[:1]:
-        yield Label(text=f"t = {rounded(panel.thickness)}", at=place)
+        yield Label(text=sign, at=place)
 
 
 def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
@@ -244,7 +254,11 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
         yield str(number), _at(hole.u), _at(hole.v), size, name
     for feature in panel.features:
         number += 1
-        size = f"{rounded(feature.along, 2)} × {rounded(feature.across, 2)}" if feature.along else Message("see DXF")
+        sizes = (
+            f"{rounded(size, 2)}{f'±{SHARE:g}' if fitted else ''}"
+            for size, fitted in zip((feature.along, feature.across), feature.fitted, strict=True)
+        )
+        size = " × ".join(sizes) if feature.along else Message("see DXF")
         yield str(number), _at(feature.u), _at(feature.v), size, feature.name
     for edge in panel.edge_holes:
         number += 1
@@ -254,6 +268,18 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
     for x, y in slanted_corners(panel):
         number += 1
         yield str(number), _at(x), _at(y), "", Message("corner of the outline")
+    yield from _distances(panel)
+
+
+def _distances(panel: Panel) -> Iterator[tuple[str, ...]]:
+    """Rows of the distances of the tabs of a sheet, and of the slots of each: those along that have a fit there."""
+    numbered = list(enumerate(panel.features, len(panel.holes) + 1))
+    for pattern in dict.fromkeys(each.pattern for each in panel.features if each.pattern):
+        tabs = [(number, each) for number, each in numbered if each.pattern == pattern]
+        for (first, one), (second, other) in pairwise(tabs):
+            apart = (abs(other.u - one.u), abs(other.v - one.v))
+            sizes = (f"{rounded(size, 2)}±{SHARE:g}" for size, fitted in zip(apart, one.fitted, strict=True) if fitted)
+            yield f"{first}–{second}", "", "", " × ".join(sizes), Message("distance, middle to middle")
 
 
 def slanted_corners(panel: Panel) -> list[tuple[float, float]]:

@@ -124,6 +124,7 @@ def edge_view(
     holes: Sequence[tuple[float, float]],
     place: tuple[float, float],
     scale: float,
+    suffix: str = "",
 ) -> View:
     """View of a plate from the right, on whose face datum A stands: holes hidden.
 
@@ -133,6 +134,7 @@ def edge_view(
         holes: height and diameter of each hole, mm.
         place: where its left face at height 0 lies on the paper, mm.
         scale: mm on paper for a mm of the part.
+        suffix: limits of the thickness, in words.
     """
     (low, high), wide = ends, thickness or _SHOWN / scale
     corners = np.array([[0.0, low], [wide, low], [wide, high], [0.0, high], [0.0, low]])
@@ -145,12 +147,13 @@ def edge_view(
     dimensions: tuple[Dimension, ...] = ()
     if thickness is not None:
         over = high + _OVER / scale
-        long = TEXT * WIDEST * len(rounded(wide))
+        long = TEXT * WIDEST * len(f"{rounded(wide)}{suffix}")
         made = LinearDimension(
             name="thickness",
             start=(0.0, high),
             end=(wide, high),
             at=(0.0, over),
+            suffix=suffix,
             beside=0.0 if scale * wide > long + 4.0 else scale * wide / 2 + TAIL + long / 2 + 1.0,
         )
         dimensions = (made,)

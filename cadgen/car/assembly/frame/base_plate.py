@@ -55,7 +55,7 @@ def base_plate(
     """
     site, sizes, thick = ground.site, ground.sizes, ground.site.plate
     sheets = [each.panel for each in standing]
-    slots = [slot for each in standing for slot in each.slots]
+    slots = [(each.panel.code, slot) for each in standing for slot in each.slots]
     screws = [place for each in standing for place in each.screws]
     back = max(float(panel.outline.vertices[:, 0].max()) for panel in sheets if panel.place.turn is STANDING)
     front = float(platform.outline.vertices[:, 0].min())
@@ -71,7 +71,7 @@ def base_plate(
         (bracket,) = (panel for panel in sheets if panel.place.turn is ACROSS)
         front = -float(bracket.place.shift[0]) - thick
     whole = shapely.box(front, min(across), back + sizes.wall, max(across))
-    left = whole.difference(shapely.union_all([*ground.openings, *slots]))
+    left = whole.difference(shapely.union_all([*ground.openings, *(slot for _, slot in slots)]))
     parts = sorted(shapely.get_parts(left), key=lambda part: -part.area)
     outer = parts[0].simplify(0.0)
     holes = [SheetHole(Message("screw from below"), -x, -z, sizes.screw.hole) for x, z in screws]
@@ -98,13 +98,19 @@ def base_plate(
     return BasePlate(base, len(parts), tuple(screws), carried)
 
 
-def _features(ground: FrameGround, slots: Sequence[shapely.Polygon], whole: shapely.Polygon) -> Iterator[Feature]:
-    """Slots and openings of the base."""
-    named = [(Message("slot for a tab"), area) for area in slots]
-    named += [(Message("opening"), area) for area in ground.openings if area.intersects(whole)]
-    for name, area in named:
+def _features(
+    ground: FrameGround, slots: Sequence[tuple[str, shapely.Polygon]], whole: shapely.Polygon
+) -> Iterator[Feature]:
+    """Slots, each with the code of the sheet in it, and openings of the base."""
+    named = [(Message("slot for a tab"), code, area) for code, area in slots]
+    named += [(Message("opening"), "", area) for area in ground.openings if area.intersects(whole)]
+    for name, code, area in named:
         left, low, right, high = area.intersection(whole).bounds
-        yield Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low)
+        before, below, behind, above = area.bounds
+        # A slot that is open at an edge of the base is as long or wide as the edge leaves it.
+        closed = (right - left == behind - before, high - low == above - below)
+        fitted = closed if code else (False, False)
+        yield Feature(name, (left + right) / 2, (low + high) / 2, right - left, high - low, code, fitted)
 
 
 def beside(ground: FrameGround) -> tuple[float, float]:

@@ -12,6 +12,9 @@ from cadgen.car.assembly.frame.frame_sizes import STEP
 from cadgen.car.assembly.panels import SheetHole
 
 FIT = 0.1  # mm by which a slot is longer and wider than the tab in it
+# mm by which the sizes of tab and slot, and the distance of two of either, may be off: then they go together.
+SHARE = FIT / 4
+SHEET_SHARE = FIT / 2  # mm by which the thickness of a sheet in slots may be off: it has no distance of its own
 _TAB, _SHORT_TAB = 10.0, 7.0  # mm, lengths of tabs
 _LONG = 45.0  # mm, from which a foot has four joints in place of three
 

@@ -242,7 +242,7 @@ def _standing(
             EdgeHole(at, foot, sizes.screw.tap_drill, ground.screw_length - sizes.base + THREAD_END) for at in drilled
         ),
         features=tuple(
-            Feature(Message("tab"), joint.at, foot - sizes.base / 2, joint.width, sizes.base)
+            Feature(Message("tab"), joint.at, foot - sizes.base / 2, joint.width, sizes.base, code, (True, False))
             if joint.width
             else Feature(
                 Message("slot for screw and nut"),
