@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from colorsys import hsv_to_rgb
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import asin, atan, cos, pi, sin, sqrt, tan
+from math import atan, cos, pi, sin, sqrt
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -22,11 +22,13 @@ from cadgen.car.assembly.car_parts import (
     DiscShape,
     Drilled,
     GroupKind,
+    KeySlot,
     MovingGroup,
     Prism,
     Supply,
     along,
     at,
+    key_outline,
     still,
     together,
 )
@@ -49,7 +51,7 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.site import CarSite
-from cadgen.car.assembly.standard_parts import bearing_of, key_size
+from cadgen.car.assembly.standard_parts import bearing_of, key_length, key_size
 from cadgen.car.assembly.turning_train import TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
@@ -320,29 +322,60 @@ class _Parts:
             )
 
     def keys(self) -> Iterator[CarPart]:
-        """Parallel keys of disc and gears."""
-        for code, title, key, bore, angle, (low, high), shaft in self._keyed():
+        """Parallel keys of disc and gears: with round ends where one is sold so short, else cut to the hub's length."""
+        for code, title, key, bore, angle, ends, shaft in self._keyed():
             height, seat = key_size(key.width)
             height = min(height, seat + key.depth)
-            bottom = bore / 2 - seat
-            bar = _box(bottom, bottom + height, -key.width / 2, key.width / 2)
-            c, s = cos(angle), sin(angle)
-            axis = self.groups[shaft - 1].axis
-            place = np.array([[c, -s, 0.0, axis.real], [s, c, 0.0, axis.imag], [0.0, 0.0, 1.0, 0.0]])
+            low, high, form = self._key_ends(key, ends, shaft)
+            outline = key_outline(low, high, key.width, (form == "A",) * 2)
+            axis, out = self.groups[shaft - 1].axis, (cos(angle), sin(angle), 0.0)
             yield CarPart(
                 code=code,
                 title=title,
-                shape=Block((Prism(bar, low, high),)),
-                places=(place,),
+                shape=Block((Prism(outline, bore / 2 - seat, bore / 2 - seat + height),)),
+                places=(along(out, (0.0, 0.0, 1.0), (axis.real, axis.imag, 0.0)),),
                 group=self.groups[shaft - 1],
                 material=_STEEL,
                 density=DENSITY[DiscMaterial.STEEL] * 1e-3,
                 colour=_BRASS,
                 supply=Supply.BOUGHT,
-                standard=f"DIN 6885-1 (ISO 773) B {key.width:g} x {height:g} x {high - low:g}",
+                standard=f"DIN 6885-1 (ISO 773) {form} {key.width:g} x {height:g} x {high - low:.6g}",
                 shaft=shaft,
-                how=Message("into its seat"),
+                how=Message("into its seat") if form == "A" else Message("cut to length, into its seat"),
             )
+
+    def _key_ends(self, key: Keyway, ends: tuple[float, float], shaft: int) -> tuple[float, float, str]:
+        """Heights between which a key lies, mm, and its form: A with round ends, or B with square ones.
+
+        Args:
+            key: keyway of what it holds.
+            ends: heights of what it holds, mm.
+            shaft: number of the shaft, from 1.
+        """
+        first, last = self.shaft_ends(shaft)
+        low, high = max(ends[0], first + key.width / 2), min(ends[1], last - key.width / 2)
+        length = key_length(key.width, high - low)
+        return (*ends, "B") if length is None else ((low + high - length) / 2, (low + high + length) / 2, "A")
+
+    def _seat(self, key: Keyway, angle: float, ends: tuple[float, float], shaft: int) -> KeySlot:
+        """Seat of a key, as an end mill leaves it: as long as a round key, beyond a square one by half its width.
+
+        Near the end of the shaft it is open.
+
+        Args:
+            key: keyway of what the key holds.
+            angle: polar angle of its middle, rad.
+            ends: heights of what it holds, mm.
+            shaft: number of the shaft, from 1.
+        """
+        low, high, form = self._key_ends(key, ends, shaft)
+        first, last = self.shaft_ends(shaft)
+        radius, half = self.turning.parts[shaft - 1].part.blank.shaft_diameter / 2, key.width / 2
+        if form == "B":
+            low, high = low - half, high + half
+        closed = low >= first + half - 1e-9, high <= last - half + 1e-9
+        low, high = (low if closed[0] else first), (high if closed[1] else last)
+        return KeySlot(low, high, key.width, radius - key_size(key.width)[1], radius, angle, closed)
 
     def _keyed(self) -> Iterator[tuple[str, Message, Keyway, float, float, tuple[float, float], int]]:
         """Code, title, keyway, bore, polar angle in the car, heights and shaft of each key."""
@@ -404,10 +437,8 @@ class _Parts:
         for number, (turning, group) in enumerate(zip(self.turning.parts, self.groups, strict=True), 1):
             diameter = turning.part.blank.shaft_diameter
             low, high = self.shaft_ends(number)
-            cuts = tuple(
-                Prism(_seat(diameter, key, angle), *ends)
-                for _, _, key, _, angle, ends, shaft in keyed
-                if shaft == number
+            seats = tuple(
+                self._seat(key, angle, ends, number) for _, _, key, _, angle, ends, shaft in keyed if shaft == number
             )
             title = Message("shaft {shaft}", shaft=number)
             drilled: tuple[Drilled, ...] = ()
@@ -421,7 +452,7 @@ class _Parts:
             yield CarPart(
                 code=f"shaft-{number}",
                 title=title,
-                shape=Block((Prism(circle((0.0, 0.0), diameter / 2), low, high),), cuts, drilled),
+                shape=Block((Prism(circle((0.0, 0.0), diameter / 2), low, high),), seats, drilled),
                 places=(at(group.axis.real, group.axis.imag, 0.0),),
                 group=group,
                 material=_STEEL,
@@ -691,12 +722,3 @@ class _Parts:
 
 def _box(left: float, right: float, low: float, high: float) -> Contour:
     return Contour(np.array([[left, low], [right, low], [right, high], [left, high]]), np.zeros(4))
-
-
-def _seat(diameter: float, key: Keyway, angle: float) -> Contour:
-    """Section of a key's seat in a shaft, out to the shaft's own circle."""
-    radius, half = diameter / 2, key.width / 2
-    wall, floor = sqrt(radius**2 - half**2), radius - key_size(key.width)[1]
-    corners = np.array([[floor, -half], [wall, -half], [wall, half], [floor, half]])
-    c, s = cos(angle), sin(angle)
-    return Contour(corners @ np.array([[c, s], [-s, c]]), np.array([0.0, tan(asin(half / radius) / 2), 0.0, 0.0]))

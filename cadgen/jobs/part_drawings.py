@@ -2,11 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from math import atan2
+from math import remainder
 
 import numpy as np
 
-from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, Prism, Supply
+from cadgen.arrays import TURN
+from cadgen.car.assembly.car_parts import Block, BodyShape, CarPart, KeySlot, Prism, Supply
 from cadgen.jobs.car_assembly import CarAssembly
 from cadgen.jobs.drawings import Folder, title_of
 from cadgen.messages import Message, joined
@@ -93,9 +94,11 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
                 TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), _bore(each), _beside(each))
                 for each in shape.prisms
             ]
+            on = (each for each in assembly.parts if each.shaft == part.shaft and each.code.startswith("key"))
+            keys = [each.standard.partition(") ")[2] for each in on]
             seats = [
-                KeySeat(seat.low, seat.high, *_seat_size(seat), _polar(seat) - _polar(shape.cuts[0]))
-                for seat in shape.cuts
+                KeySeat(seat.low, seat.high, seat.width, seat.floor, _turned(seat, shape.seats[0]), seat.rounded, key)
+                for seat, key in zip(shape.seats, keys, strict=False)
             ]
             through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
             if seats:
@@ -171,8 +174,8 @@ def _texts(
     if part.code in _NOTES:
         notes.append(_NOTES[part.code])
     shape, width = part.shape, ""
-    for seat in shape.cuts if isinstance(shape, Block) else ():
-        width = limited(_seat_size(seat)[0], "P9")
+    for seat in shape.seats if isinstance(shape, Block) else ():
+        width = limited(seat.width, "P9")
     return PartTexts(
         notes=tuple(notes),
         fits=tuple(fits.items()),
@@ -194,13 +197,6 @@ def _beside(prism: Prism) -> tuple[float, float]:
     return next(((float(np.hypot(*hole.centers[0])), 2 * float(hole.radii[0])) for hole in holes), (0.0, 0.0))
 
 
-def _seat_size(seat: Prism) -> tuple[float, float]:
-    """Width of a seat, and distance of its floor from the axis, mm."""
-    one, other = seat.outline.vertices[[0, 3]]  # the corners of its floor
-    return float(np.hypot(*(one - other))), float(np.hypot(*(one + other))) / 2
-
-
-def _polar(seat: Prism) -> float:
-    """Polar angle of a seat, rad."""
-    x, y = seat.outline.vertices.mean(axis=0).tolist()
-    return atan2(y, x)
+def _turned(seat: KeySlot, first: KeySlot) -> float:
+    """Angle of a seat from the first one, rad, within half a turn; 0 where they differ by rounding alone."""
+    return round(remainder(seat.angle - first.angle, TURN), 9)

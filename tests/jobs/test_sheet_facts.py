@@ -13,7 +13,7 @@ import shapely
 from cadgen.car.assembly.car_parts import CarPart, Supply
 from cadgen.car.assembly.fork_sizes import JOURNAL
 from cadgen.car.assembly.panels import Panel
-from cadgen.car.assembly.standard_parts import key_size
+from cadgen.car.assembly.standard_parts import key_length, key_size
 from cadgen.design import gear_model
 from cadgen.design.blank import TIGHT
 from cadgen.design.load import complete_of, load_design, packaged_designs, read_design
@@ -37,6 +37,7 @@ from cadgen.output.drawing.shaft_fit import fillet, longer
 from cadgen.output.drawing.sheet import (
     EDGE,
     HEIGHTS,
+    AngularDimension,
     Characteristic,
     Closed,
     DatumFeature,
@@ -71,7 +72,7 @@ NEEDS = {
 NO_PARTS = frozenset(
     """
     above acros adjust after again against ahead all along and angle apart are average axi back backward balloon base
-    bed before behind belong below beside between beyond both but cadgen cannot car centre clear come counted design
+    bed before behind belong below beside between beyond both but cadgen cannot car centre clear come counted cut design
     doe down drawn each edge either ended energy face fall find fit first floor flush for forward frame free from gap
     give goe gravity ha hand height hold hole inner into it itself last lead least leave left length lie line little
     longest look lower lowest mas material measure more mounting move must nearest never not nowhere off one open
@@ -279,6 +280,14 @@ def test_plain_parts_say_fits_threads_and_positions_by_symbols(sheets: dict[str,
     assert drawn["shaft-4"].dimensions["shaft less seat 1"] == pytest.approx(6.2, abs=1e-9)
     # Keys of up to 28 mm have seats 0 to 0.2 mm longer; the chamfer of a key 3 x 3 clears a radius of 0.16 mm.
     assert [said["shaft-4"][f"length of seat {number}"].suffix for number in (1, 2)] == [" +0.2/0"] * 2
+    # A gear of 11 mm takes a key of 10 with round ends. For 3 mm none is sold: the seat ends beyond the disc.
+    assert drawn["shaft-4"].tables[0].rows[1:] == (("68.5", "A 3 x 3 x 10"), ("88.5", "B 3 x 3 x 3"))
+    assert [drawn["shaft-4"].dimensions[f"length of seat {number}"] for number in (1, 2)] == pytest.approx([10.0, 6.0])
+    (middle,) = (each for each in symbols["shaft-4"] if isinstance(each, ToleranceFrame))
+    assert (middle.characteristic, middle.zone_text, middle.datums) == (Characteristic.SYMMETRY, "0.01", ("A",))
+    outlines = [each.contour for each in drawn["shaft-4"].views[0].curves if isinstance(each, Closed)]
+    areas = [each.area() for each in outlines if each.bulges.any()]
+    assert areas == pytest.approx([3 * (length - 3) + np.pi * 1.5**2 for length in (10, 6)])
     assert (drawn["shaft-4"].title.edge, drawn["shaft-4"].title.inner) == (0.3, 0.16)
     for code in ("rod", "shaft-1", "shaft-4", "fork-cheek", "fork-bridge", "drive-wheel"):
         assert not drawn[code].notes
@@ -334,6 +343,9 @@ def test_a_shaft_has_the_class_of_the_fits_that_are_stated(car: CarAssembly) -> 
 def test_seats_of_keys_have_the_limits_of_their_width_and_length() -> None:
     """DIN 6885-1: t1 of a key 8 x 7 is 4 +0.2, of 6 x 6 3.5 +0.1; seats over 28 to 80 mm are up to 0.3 mm longer."""
     assert [key_size(width) for width in (6.0, 8.0, 10.0, 18.0)] == [(6.0, 3.5), (7.0, 4.0), (8.0, 5.0), (11.0, 7.0)]
+    assert [key_size(width) for width in (22.0, 25.0, 28.0)] == [(14.0, 9.0), (14.0, 9.0), (16.0, 10.0)]
+    assert [key_length(3.0, room) for room in (5.9, 6.0, 11.0, 17.9)] == [None, 6.0, 10.0, 16.0]
+    assert [key_length(8.0, room) for room in (17.0, 24.0, 31.0)] == [None, 22.0, 28.0]
     seats = [KeySeat(5.0, 45.0, 8.0, 13.0 - 4.0, 0.0)]
     title = Title(
         part="shaft", title="", material="", finish="", quantity=1, date="2026-01-01", design="", number="shaft"
@@ -365,7 +377,9 @@ def test_a_section_across_a_shaft_shows_depth_and_angle_of_each_seat() -> None:
         assert cut.area == pytest.approx(16.0 * np.pi - segment, rel=1e-3)
         x, y = np.array(cut.centroid.coords[0])
         assert np.arctan2(x, -y) == pytest.approx(seat.angle, abs=1e-6)  # away from the seat
-    assert [each.text for each in sections[0].labels] == ["seen from the right end", "114.6°"]
+    assert [each.text for each in sections[0].labels] == ["seen from the right end"]
+    (turned,) = (each for each in sections[0].dimensions if isinstance(each, AngularDimension))
+    assert (turned.start, turned.end - turned.start) == pytest.approx((90.0, np.degrees(2.0)))
     assert sheet.dimensions["shaft less seat 2"] == pytest.approx(6.8)
     assert apart(boxes(document_of(sheet).modelspace())) == []
 

@@ -134,6 +134,67 @@ class Prism:
         return Content(area * (self.high - self.low), (x, y, (self.low + self.high) / 2))
 
 
+@dataclass(frozen=True, slots=True)
+class KeySlot:
+    """Seat of a key in a round shaft about z, with the round ends that an end mill leaves (DIN 6885-1).
+
+    Attributes:
+        low: height at which it begins, mm.
+        high: height at which it ends, mm.
+        width: width, mm.
+        floor: distance of its floor from the axis, mm.
+        radius: radius of the shaft, mm.
+        angle: polar angle of its middle, rad.
+        rounded: whether its lower and its upper end are round; one at the end of the shaft is open.
+    """
+
+    low: float
+    high: float
+    width: float
+    floor: float
+    radius: float
+    angle: float
+    rounded: tuple[bool, bool] = (True, True)
+
+    @property
+    def tool(self) -> tuple[Prism, Array]:
+        """Prism that is taken away, up to beyond the shaft, and its place, shape (3, 4), mm."""
+        out = (float(np.cos(self.angle)), float(np.sin(self.angle)), 0.0)
+        outline = key_outline(self.low, self.high, self.width, self.rounded)
+        return Prism(outline, self.floor, self.radius + self.width), along(out, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+
+    def content(self) -> Content:
+        """Volume and centre of what is taken away: across the width, depth by length, by Gauss's rule."""
+        half, (below, above) = self.width / 2, self.rounded
+        nodes, weights = np.polynomial.legendre.leggauss(48)
+        turn = np.pi / 2 * nodes
+        aside, round_off = half * np.sin(turn), half * np.cos(turn)  # a half circle has this height there
+        weights = weights * np.pi / 2 * round_off
+        bottom = self.low + (half - round_off) * below
+        top = self.high - (half - round_off) * above
+        wall = np.sqrt(self.radius**2 - aside**2)
+        areas = weights * (wall - self.floor)
+        volume = float(areas @ (top - bottom))
+        out = float(weights * (wall**2 - self.floor**2) / 2 @ (top - bottom)) / volume
+        height = float(areas @ (top**2 - bottom**2)) / 2 / volume
+        return Content(volume, (float(out * np.cos(self.angle)), float(out * np.sin(self.angle)), height))
+
+
+def key_outline(low: float, high: float, width: float, rounded: tuple[bool, bool]) -> Contour:
+    """Outline of a key or its seat, seen from outside of the shaft: x along it, counterclockwise.
+
+    Args:
+        low: where it begins, mm.
+        high: where it ends, mm.
+        width: width, mm.
+        rounded: whether its lower and its upper end are half circles.
+    """
+    half, (below, above) = width / 2, rounded
+    left, right = low + half * below, high - half * above
+    corners = np.array([[left, -half], [right, -half], [right, half], [left, half]])
+    return Contour(corners, np.array([0.0, above, 0.0, below], dtype=float))
+
+
 class Drilled(NamedTuple):
     """Round hole in a block, across its prisms.
 
@@ -160,22 +221,22 @@ class Drilled(NamedTuple):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Block:
-    """Prisms put together, less cuts and drilled holes, as plates, keyed shafts and forks are.
+    """Prisms put together, less seats of keys and drilled holes, as plates, keyed shafts and forks are.
 
     Attributes:
         prisms: prisms that touch each other and do not overlap.
-        cuts: prisms that are taken away, each of them within the block.
+        seats: seats of keys; the block is then a round shaft about z.
         drilled: holes that are taken away; each lies in the block with its whole length.
     """
 
     prisms: tuple[Prism, ...]
-    cuts: tuple[Prism, ...] = ()
+    seats: tuple[KeySlot, ...] = ()
     drilled: tuple[Drilled, ...] = ()
 
     def content(self) -> Content:
         """Volume and centre, the holes taken as whole cylinders."""
         parts = [each.content() for each in self.prisms]
-        for each in self.cuts:
+        for each in self.seats:
             taken = each.content()
             parts.append(Content(-taken.volume, taken.centre))
         for hole in self.drilled:
@@ -320,7 +381,7 @@ class CarPart:
         return self.content.volume * self.density if self.mass is None else self.mass
 
     def heights(self, place: Array) -> tuple[float, float]:
-        """Heights between which it stands along the shafts, mm, for a part whose own z axis runs along them.
+        """Heights between which it stands along the shafts, mm; of a body or disc, whose z axis runs along them.
 
         Args:
             place: one of its places, shape (3, 4), mm.
@@ -332,7 +393,14 @@ class CarPart:
                 boss = blank.boss(thickness)
                 ends = [0.0, thickness, *(() if boss is None else (boss.low, boss.high))]
             case Block(prisms=prisms):
-                ends = [z for each in prisms for z in (each.low, each.high)]
+                across = [each.outline.polygon(_CHORD) @ place[2, :2] for each in prisms]
+                spans = [
+                    float(place[2, 3] + reach + place[2, 2] * end)
+                    for each, beside in zip(prisms, across, strict=True)
+                    for end in (each.low, each.high)
+                    for reach in (beside.min(), beside.max())
+                ]
+                return min(spans), max(spans)
             case _:
                 ends = [0.0]
         along_z = [float(place[2, 3] + place[2, 2] * end) for end in ends]

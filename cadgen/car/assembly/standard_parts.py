@@ -143,8 +143,17 @@ def _screw(thread: str, pitch: float, head: tuple[float, float], hole: float, nu
 _KEYS = {
     2.0: (2.0, 1.2), 3.0: (3.0, 1.8), 4.0: (4.0, 2.5), 5.0: (5.0, 3.0), 6.0: (6.0, 3.5), 8.0: (7.0, 4.0),
     10.0: (8.0, 5.0), 12.0: (8.0, 5.0), 14.0: (9.0, 5.5), 16.0: (10.0, 6.0), 18.0: (11.0, 7.0), 20.0: (12.0, 7.5),
+    22.0: (14.0, 9.0), 25.0: (14.0, 9.0), 28.0: (16.0, 10.0),
 }  # fmt: skip
 _SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
+# Lengths of parallel keys that are sold, mm, and the least by the width (DIN 6885-1, ISO 773).
+_KEY_LENGTHS = (
+    6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 32, 36, 40, 45, 50, 56, 63, 70, 80, 90, 100, 110, 125, 140, 160, 180, 200
+)  # fmt: skip
+_LEAST_LENGTHS = {
+    2.0: 6, 3.0: 6, 4.0: 8, 5.0: 10, 6.0: 14, 8.0: 18, 10.0: 22, 12.0: 28, 14.0: 36, 16.0: 45, 18.0: 50, 20.0: 56,
+    22.0: 63, 25.0: 70, 28.0: 80,
+}  # fmt: skip
 
 
 def key_size(width: float) -> tuple[float, float]:
@@ -154,6 +163,17 @@ def key_size(width: float) -> tuple[float, float]:
         width: width of the key, mm.
     """
     return _KEYS.get(width, (width, _SEAT_SHARE * width))
+
+
+def key_length(width: float, room: float) -> float | None:
+    """Length of the longest parallel key with round ends (form A) that is sold for a seat; None where none is so short.
+
+    Args:
+        width: width of the key, mm.
+        room: greatest length, mm.
+    """
+    least = _LEAST_LENGTHS.get(width, 2 * width)
+    return max((float(each) for each in _KEY_LENGTHS if least <= each <= room + 1e-9), default=None)
 
 
 class SetCollar(NamedTuple):

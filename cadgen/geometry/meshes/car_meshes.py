@@ -57,8 +57,9 @@ def _block(shape: Block, chord: float) -> Manifold:
     solid = Manifold()
     for each in shape.prisms:
         solid += _prism(each, chord)
-    for each in shape.cuts:
-        solid -= _prism(each, chord)
+    for seat in shape.seats:
+        tool, place = seat.tool
+        solid -= _prism(tool, chord).transform(place)
     for hole in shape.drilled:
         solid -= _drilled(hole, chord)
     return solid

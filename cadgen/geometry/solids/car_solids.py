@@ -52,7 +52,7 @@ def shape_solid(shape: Shape, name: str) -> TopoDS_Solid:
     return _block(shape, name)
 
 
-def _placed(solid: TopoDS_Solid, place: Array) -> TopoDS_Shape:
+def _placed(solid: TopoDS_Shape, place: Array) -> TopoDS_Shape:
     """Solid at a place, shape (3, 4)."""
     move = gp_Trsf()
     move.SetValues(*place.ravel().tolist())
@@ -62,14 +62,14 @@ def _placed(solid: TopoDS_Solid, place: Array) -> TopoDS_Shape:
 def _block(block: Block, name: str) -> TopoDS_Solid:
     first, *others = (_prism(each) for each in block.prisms)
     made = boolean(BRepAlgoAPI_Fuse(), first, others, _UNJOINED) if others else first
-    away = [_prism(each) for each in block.cuts]
+    away = [_placed(_prism(tool), place) for tool, place in (seat.tool for seat in block.seats)]
     for hole in block.drilled:
         start, length = hole.tool
         axis = gp_Ax2(gp_Pnt(*start), gp_Dir(*hole.direction))
         away.append(BRepPrimAPI_MakeCylinder(axis, hole.diameter / 2, length).Shape())
     if away:
         made = boolean(BRepAlgoAPI_Cut(), made, away, _UNJOINED)
-    if any(hole.beyond for hole in block.drilled):
+    if block.seats or any(hole.beyond for hole in block.drilled):
         made = with_exact_crossings(made)
     return _whole(made, name)
 

@@ -14,22 +14,24 @@ import numpy as np
 import shapely
 from shapely.affinity import rotate
 
-from cadgen.car.assembly.car_parts import Block
+from cadgen.car.assembly.car_parts import Block, key_outline
 from cadgen.curves.contour import Contour
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import rim
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import deeper, limits, longer
+from cadgen.output.drawing.shaft_fit import deeper, limits, longer, off_middle
 from cadgen.output.drawing.sheet import (
     DIAMETER,
     EDGE,
+    FRAME_HEIGHT,
     LEFT,
     SHORT,
     SIZES,
     TAIL,
     TEXT,
     WIDEST,
+    AngularDimension,
     Characteristic,
     Closed,
     DatumFeature,
@@ -39,6 +41,7 @@ from cadgen.output.drawing.sheet import (
     Label,
     LinearDimension,
     LineKind,
+    SheetTable,
     Stroke,
     SurfaceTexture,
     Symbol,
@@ -51,9 +54,11 @@ from cadgen.output.drawing.sheet import (
     beside_title,
     centre_cross,
     chosen_scale,
+    free_end,
     length_of,
     ring,
     rounded,
+    symmetry,
 )
 
 _SIZE, _LARGER = "A4", "A3"
@@ -61,6 +66,8 @@ _ROOM = 34.0  # mm on paper to either side of a view, for its dimensions
 _FIRST, _STEP = 9.0, 8.0  # mm on paper from a view to its first dimension line, and from one to the next
 _RAISED, _UNDER, _ASIDE = 4.0, 12.0, 18.0  # mm on paper, of a shaft with sections under it, and beside these
 _SECTION = 32.0  # mm on paper, for the dimensions of sections under a shaft
+_FRAME = 14.0  # mm on paper, for the frames of their symmetry beside it
+_KEYS = (42.0, 36.0)  # widths of the columns of a table of keys, mm
 _BETWEEN = 40.0  # mm on paper between two views
 _LETTER = 0.65  # mean width of the letters of a dimension, in heights
 _CHORD = 1e-5  # mm, of outlines whose extent is dimensioned
@@ -95,6 +102,8 @@ class KeySeat(NamedTuple):
         width: width, mm.
         floor: distance of its floor from the axis, mm.
         angle: its angle from the first seat, counterclockwise seen from the right end, rad.
+        rounded: whether its left and its right end are round, as an end mill leaves them.
+        key: form and size of its key by DIN 6885-1; empty where it is not known.
     """
 
     low: float
@@ -102,6 +111,8 @@ class KeySeat(NamedTuple):
     width: float
     floor: float
     angle: float
+    rounded: tuple[bool, bool] = (True, True)
+    key: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,8 +166,8 @@ def turned_drawing(
     low, high = steps[0].low, steps[-1].high
     reach = max(step.diameter for step in steps) / 2
     # Sections across the seats stand below, as high as the shaft.
-    tall, below = (4 * reach, _SECTION) if seats else (2 * reach, 0.0)
-    size, scale, place = _placed((high - low, tall), ((low + high) / 2, reach - tall / 2), title, below)
+    tall, below, beside = (4 * reach, _SECTION, _FRAME) if seats else (2 * reach, 0.0, 0.0)
+    size, scale, place = _placed((high - low, tall), ((low + high) / 2, reach - tall / 2), title, below, beside)
     if seats:
         place = (place[0], place[1] + _RAISED)
     gap, step_out = _FIRST / scale, _STEP / scale
@@ -259,9 +270,8 @@ def turned_drawing(
                 beside=scale * across / 2 + _tail(scale * across) + long / 2 + 2.5,
             ),
         ]
-    for number, (start, end, width, *_) in enumerate(seats, 1):
-        corners = np.array([[start, -width / 2], [end, -width / 2], [end, width / 2], [start, width / 2]])
-        curves.append(Closed(Contour(corners, np.zeros(4))))
+    for number, (start, end, width, *_, ends_round, _) in enumerate(seats, 1):
+        curves.append(Closed(key_outline(start, end, width, ends_round)))
         at = reach + gap + 2 * (len(seats) - number) * step_out
         dimensions.append(along_axis(f"seat {number} from the left end", (low, start), reach, at + step_out))
         extent_along = along_axis(f"length of seat {number}", (start, end), reach, at)
@@ -289,9 +299,10 @@ def turned_drawing(
         curves=tuple(curves),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
-        symbols=tuple(_turned_symbols(steps, dimensions, scale, texts)),
+        symbols=(*_turned_symbols(steps, dimensions, scale, texts), *_middles(steps, seats, dimensions, scale)),
     )
-    return _sheet(size, scale, (view, *sections), texts, title)
+    keys = tuple((rounded(seat.low - low), seat.key) for seat in seats if seat.key)
+    return _sheet(size, scale, (view, *sections), texts, title, keys)
 
 
 def _cut_of(step: TurnedStep) -> Iterator[tuple[float, float]]:
@@ -375,22 +386,20 @@ def _seat_sections(
             beside=(-1 if along[1] >= 0.0 else 1)  # downwards, where no view stands
             * (scale * (radius + floor) / 2 + _tail(scale * (radius + floor)) + long / 2 + 1.5),
         )
-        labels = [Label(text=Message("seen from the right end"), at=(0.0, -radius - 17.0 / scale))]
+        dimensions: list[Dimension] = [depth]
         if angle:
-            ray = np.linspace(0.0, angle if angle <= np.pi else angle - 2 * np.pi, 25)
-            arc = (radius + 3.0 / scale) * np.stack([-np.sin(ray), np.cos(ray)], axis=1)
-            strokes.append(Stroke(arc, LineKind.THIN))
-            strokes.append(Stroke(np.array([[0.0, 0.0], [0.0, radius + 5.0 / scale]]), LineKind.CENTRE))
-            at = 1.0 + 6.5 / scale / radius
-            where = at * radius * np.array([-np.sin(ray[12]), np.cos(ray[12])])
-            turned = rounded(float(np.degrees(abs(ray[-1]))), 1)
-            labels.append(Label(text=f"{turned}°", at=(float(where[0]), float(where[1]))))
+            turned = float(np.degrees(angle if angle <= np.pi else angle - 2 * np.pi))
+            start, end = sorted((90.0, 90.0 + turned))
+            from_first = AngularDimension(
+                name=f"angle of seat {number}", centre=(0.0, 0.0), start=start, end=end, radius=radius + 4.0 / scale
+            )
+            dimensions.append(from_first)
         yield View(
             place=(middle, below - scale * radius),
             curves=(*strokes, *centre_cross(radius + 2.0 / scale)),
             hatches=tuple(hatches),
-            dimensions=(depth,),
-            labels=tuple(labels) if angle else (),
+            dimensions=tuple(dimensions),
+            labels=(Label(text=Message("seen from the right end"), at=(0.0, -radius - 17.0 / scale)),) if angle else (),
         )
 
 
@@ -401,13 +410,7 @@ def _turned_symbols(
     named = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
     bores = sorted({step.bore for step in steps if step.bore})
     if texts.run_out and bores:
-        held = named[f"bore {bores[0]:g}"]
-        # In line with the dimension, below its number, which reads upwards and stands over the middle of its line.
-        half = scale * length_of(held) / 2
-        half += _tail(2 * half)
-        long = TEXT * WIDEST * (len(rounded(length_of(held)) + held.suffix) + 1) / 2
-        foot = (held.at[0], -half / scale)
-        yield DatumFeature(letter="A", foot=foot, angle=270.0, reach=max(8.0, long - half + 5.0))
+        yield _axis(named[f"bore {bores[0]:g}"], scale)
         widest = max(steps, key=lambda step: step.diameter)
         # On the lower extension line of its diameter, where no length stands.
         rim = named[f"diameter {widest.diameter:g}"]
@@ -425,6 +428,46 @@ def _turned_symbols(
     if texts.texture:
         first = steps[0]
         yield SurfaceTexture(value=texts.texture, tip=(0.7 * first.low + 0.3 * first.high, first.diameter / 2))
+
+
+def _axis(held: LinearDimension, scale: float) -> DatumFeature:
+    """Datum A in line with an upright diameter, below its number, which stands over the middle of its line.
+
+    Args:
+        held: dimension of the diameter.
+        scale: mm on paper for a mm of the part.
+    """
+    half = scale * length_of(held) / 2
+    half += _tail(2 * half)
+    long = TEXT * WIDEST * (len(rounded(length_of(held)) + held.suffix) + 1) / 2
+    foot = (held.at[0], -half / scale)
+    return DatumFeature(letter="A", foot=foot, angle=270.0, reach=max(8.0, long - half + 5.0))
+
+
+def _middles(
+    steps: Sequence[TurnedStep], seats: Sequence[KeySeat], dimensions: Sequence[Dimension], scale: float
+) -> Iterator[Symbol]:
+    """Symmetry of each width of seats to the axis of the shaft, in line with its dimension, over its upper end.
+
+    Args:
+        steps: steps of the shaft.
+        seats: seats of keys.
+        dimensions: dimensions of the view.
+        scale: mm on paper for a mm of the part.
+    """
+    if not seats:
+        return
+    held = {each.name: each for each in dimensions if isinstance(each, LinearDimension)}
+    middle = (seats[0].low + seats[0].high) / 2
+    across = next(step.diameter for step in steps if step.low <= middle <= step.high)
+    yield _axis(held[f"diameter {across:g}"], scale)
+    widths = [each for name, each in held.items() if name.startswith("width of seats")]
+    for number, each in enumerate(widths):
+        end, out = free_end(each)
+        leader = 8.0 + (FRAME_HEIGHT + 1.0) * (len(widths) - 1 - number)
+        tip, bend = end.tolist(), (end + leader / scale * out).tolist()
+        frame = symmetry(each.name.replace("width", "middle"), off_middle(length_of(each)))
+        yield replace(frame, tip=(tip[0], tip[1]), bend=(bend[0] + 1e-6, bend[1]))
 
 
 def block_drawing(block: Block, texts: PartTexts, title: Title) -> DrawingSheet:
@@ -584,7 +627,7 @@ def _height(title: Title, size: str = _SIZE) -> float:
 
 
 def _placed(
-    part: tuple[float, float], middle: tuple[float, float], title: Title, below: float = 0.0
+    part: tuple[float, float], middle: tuple[float, float], title: Title, below: float = 0.0, beside: float = 0.0
 ) -> tuple[str, float, tuple[float, float]]:
     """Size of the sheet, scale of a view, and its place over the title block: A3 where A4 shows it smaller than 1:1.
 
@@ -593,10 +636,11 @@ def _placed(
         middle: its middle in the view, mm.
         title: title block.
         below: further room for dimensions between a view and one below it, mm on paper.
+        beside: further room on either side of a view, mm on paper.
     """
     chosen = []
     for size in (_SIZE, _LARGER):
-        room = (SIZES[size][0] - LEFT - EDGE - 2 * _ROOM, _height(title, size) - 2 * _ROOM + 16.0 - below)
+        room = (SIZES[size][0] - LEFT - EDGE - 2 * (_ROOM + beside), _height(title, size) - 2 * _ROOM + 16.0 - below)
         scale = chosen_scale(part, room, 5.0) or 0.1
         x = LEFT + (SIZES[size][0] - LEFT - EDGE) / 2 - scale * middle[0]
         chosen.append((size, scale, (x, EDGE + title.height + 8.0 + _height(title, size) / 2 - scale * middle[1])))
@@ -605,8 +649,31 @@ def _placed(
     return max(chosen, key=lambda each: each[1])
 
 
-def _sheet(size: str, scale: float, views: tuple[View, ...], texts: PartTexts, title: Title) -> DrawingSheet:
+def _sheet(
+    size: str,
+    scale: float,
+    views: tuple[View, ...],
+    texts: PartTexts,
+    title: Title,
+    keys: tuple[tuple[str, str], ...] = (),
+) -> DrawingSheet:
+    """Sheet with its notes, and under these a table of the keys of its seats.
+
+    Args:
+        size: size of the sheet.
+        scale: mm on paper for a mm of the part.
+        views: views of the part.
+        texts: notes.
+        title: title block.
+        keys: distance of each seat from the left end, and its key.
+    """
     column = beside_title(size)
+    tables: tuple[SheetTable, ...] = ()
+    if keys:
+        rows = ((Message("seat from the left end"), Message("key, DIN 6885-1")), *keys)
+        made = SheetTable(title=Message("keys"), at=column.at, widths=_KEYS, rows=rows)
+        made = replace(made, at=(column.at[0], column.at[1] - column.height + made.height + 1.0))
+        column, tables = replace(column, height=column.height - made.height - 2.0), (made,)
     return DrawingSheet(
-        title=title, views=views, tables=(), notes=texts.notes, columns=(column,), size=size, scale=scale
+        title=title, views=views, tables=tables, notes=texts.notes, columns=(column,), size=size, scale=scale
     )

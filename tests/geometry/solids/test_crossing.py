@@ -1,16 +1,18 @@
 """A set screw's edges: on both their surfaces, in the part and in its file, and the volume by quadrature."""
 
-from math import pi, sqrt
+from math import asin, pi, sqrt
 
+import numpy as np
 import pytest
 from OCP.BRepGProp import BRepGProp
 from OCP.GProp import GProp_GProps
 from scipy.integrate import quad
 
-from cadgen.car.assembly.car_parts import Block, Drilled, Prism
+from cadgen.car.assembly.car_parts import Block, Drilled, KeySlot, Prism
 from cadgen.curves.contour import circle
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.wheel_body import gear_body
+from cadgen.geometry.meshes.car_meshes import shape_mesh
 from cadgen.geometry.solids.car_solids import shape_solid
 from cadgen.geometry.solids.disc_solid import cam_part
 from cadgen.geometry.solids.gear_solids import body_solid
@@ -101,3 +103,30 @@ def test_a_hole_through_a_shaft_is_read_back(tmp_path):
     assert edges_on_surfaces(solids(again)[0])
     hole = quad(lambda y: 4 * sqrt((0.75**2 - y**2) * (2.5**2 - y**2)), -0.75, 0.75, epsabs=1e-12)[0]
     assert volume(again) == pytest.approx(pi * 2.5**2 * 20 - hole, rel=1e-9)
+
+
+@pytest.mark.parametrize(("ends", "rounded"), [((3.0, 13.0), (True, True)), ((13.0, 20.0), (True, False))])
+def test_the_seat_of_a_key_is_read_back(ends, rounded, tmp_path):
+    """Seat of a key 3 x 3 in a shaft of 8 mm, closed or open at the shaft's end; its sections integrated along it."""
+    radius, half, floor = 4.0, 1.5, 2.2
+    seat = KeySlot(*ends, 2 * half, floor, radius, 0.7, rounded)
+    shaft = Block((Prism(circle((0.0, 0.0), radius), 0.0, 20.0),), (seat,))
+    solid = shape_solid(shaft, "shaft")
+    again = read_again(
+        SolidPart(solid=solid, name="shaft", description="", colour=(0.5, 0.5, 0.5)), tmp_path / "shaft.step"
+    )
+
+    def section(wide):
+        return wide * sqrt(radius**2 - wide**2) + radius**2 * asin(wide / radius) - 2 * wide * floor
+
+    end = quad(lambda z: section(sqrt(half**2 - z**2)), 0.0, half, epsabs=1e-12)[0]
+    taken = section(half) * (ends[1] - ends[0] - half * sum(rounded)) + end * sum(rounded)
+    assert is_valid(again)
+    assert edges_on_surfaces(solids(again)[0])
+    assert volume(again) == pytest.approx(pi * radius**2 * 20 - taken, rel=1e-9)
+    assert seat.content().volume == pytest.approx(taken, rel=1e-12)
+    # The centre, of the mesh.
+    mesh = shape_mesh(shaft, 1e-4)
+    corners = mesh.vertices[mesh.triangles]
+    sizes = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+    assert sizes @ corners.sum(axis=1) / 4 / sizes.sum() == pytest.approx(shaft.content().centre, abs=1e-4)
