@@ -7,7 +7,7 @@ from math import inf, isinf
 from typing import SupportsIndex, overload
 
 from cadgen.errors import DesignError, brief
-from cadgen.figures import Figure, frame_of
+from cadgen.figures import Figure, frame_of, html_table
 
 # As `typing.TYPE_CHECKING`, without the time that importing it takes.
 TYPE_CHECKING = False
@@ -250,15 +250,12 @@ class CheckList(tuple[Check, ...]):
         return f"<{len(self)} checks, {f'failed: {wrong}' if wrong else 'all passed'}>"
 
     def _repr_html_(self) -> str:
-        from html import escape
-
         rows = [("check", "value", "", "limit", "verdict")]
         for check in self:
             limit = "" if isinf(check.limit) else f"{'≤' if check.bound == Bound.MAX else '≥'} {check.limit:g}"
             verdict = "passed" if check.passed else "failed"
             rows.append((str(check.code), check.text(), str(check.place), limit, verdict))
-        cells = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows)
-        return f"<table>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
+        return html_table(rows)
 
     def to_pandas(self) -> "DataFrame":
         """Checks as a pandas frame: code, name, value, unit, bound, limit, verdict, place.

@@ -5,7 +5,7 @@ on a terminal and as text, `cadgen.viewer.page` as HTML, `as_json` as JSON. The 
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass
 from enum import StrEnum
 from math import isfinite
@@ -165,6 +165,18 @@ def frame_of(rows: Sequence[Mapping[str, Any]]) -> "DataFrame":
             "a frame needs pandas, which is not installed: pip install '.[notebook]' in cadgen's folder installs it"
         ) from None
     return json_normalize(list(rows))
+
+
+def html_table(rows: Iterable[Iterable[str]]) -> str:
+    """Table for a notebook.
+
+    Args:
+        rows: cells of each row, as plain text.
+    """
+    from html import escape
+
+    cells = ("".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows)
+    return f"<table>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
 
 
 def _tables(facts: Mapping[str, Any]) -> dict[str, list[Mapping[str, Any]]]:

@@ -54,7 +54,8 @@ class Calibration(CalibrationPlan, Pictured, Generic[D]):
         return cls(design=design, **{item.name: getattr(plan, item.name) for item in fields(plan)})
 
     def __repr__(self) -> str:
-        return f"<Calibration of {self.against.name}: {self.verdicts}>"
+        said = ", ".join(f"{kind} {verdict}" for kind, verdict in self.verdicts.items())
+        return f"<Calibration of {self.against.name}: {said}>"
 
     @property
     def computed(self) -> CalibrationPlan:

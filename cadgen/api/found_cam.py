@@ -2,12 +2,14 @@
 
 from abc import abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
 from os import PathLike
 from typing import Any, ClassVar, Self
 
 import numpy as np
 
+from cadgen.api.cam import Cam
 from cadgen.jobs.lift_tolerance import NAMES
 from cadgen.jobs.worn_cam.compared_cam import ComparedCamPlan, compared_report
 from cadgen.jobs.worn_cam.found_cam import FoundCamPlan
@@ -69,6 +71,15 @@ class FoundCam(FoundCamPlan, MeasuredResult):
 
     _ending = "motion"
 
+    @cached_property
+    def cam(self) -> Cam:
+        """New cam, made for the motion that was found, and checked by rolling.
+
+        Raises:
+            DesignError: no cam can be made for it.
+        """
+        return Cam.of(super().cam)
+
     @property
     def report(self) -> list[Block]:
         """Everything in paragraphs and a table; `str` of the result gives them as text."""
@@ -97,7 +108,17 @@ class FoundCam(FoundCamPlan, MeasuredResult):
 class ComparedCam(ComparedCamPlan, MeasuredResult):
     """Measured cam beside its design: deviations with their sizes, and what is left."""
 
+    cam: Cam
     _ending = "compared"
+
+    @classmethod
+    def of(cls, plan: ComparedCamPlan) -> Self:
+        """Result of what was computed.
+
+        Args:
+            plan: what was computed.
+        """
+        return replace(super().of(plan), cam=Cam.of(plan.cam))
 
     @property
     def picture(self) -> Drawing:

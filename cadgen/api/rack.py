@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from math import cos, degrees, radians
+from math import cos, degrees, pi, radians
 
 import numpy as np
 
@@ -14,15 +14,57 @@ from cadgen.design.gear_model import COARSEST_CHORD
 from cadgen.errors import DesignError, brief
 from cadgen.figures import Facts
 from cadgen.gears.choices import HelixHand
+from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm, RackMesh
+from cadgen.gears.rack_stage import Bar
 from cadgen.gears.tooth import CHORD_PER_MODULE, STEEPEST_HELIX
 from cadgen.jobs.gears.assembly import OnePart
 from cadgen.output.files.exports import RackExport
+from cadgen.output.report.gear_pictures import gears_picture
 from cadgen.output.report.notebook import Pictured
 from cadgen.output.report.shape_pictures import Filled, shapes_picture
 from cadgen.output.report.style import Drawing
+from cadgen.parts.blank import Blank
 
 _CHORD = 0.01  # mm, of the teeth on a picture
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class MeshedRack(RackMesh, Pictured):
+    """Pinion on a rack, as `Rack.meshed` gives it.
+
+    Attributes:
+        part: the pinion by itself, with its body.
+    """
+
+    part: TrainPart = field(compare=False)
+
+    def __repr__(self) -> str:
+        teeth, play = self.pinion.teeth, self.backlash.pitch
+        return f"<MeshedRack, {self.rack.teeth} teeth under a pinion of {teeth}, backlash {play:.4g} mm>"
+
+    @property
+    def picture(self) -> Drawing:
+        """Sections in mesh, a tooth of the pinion in the middle of a space."""
+        rack = Bar(self.rack)
+        bar = replace(self.part, shaft=2, gears=(rack,), blank=Blank(), body=self.rack.body)
+        axis = complex(self.rack.teeth // 2 * self.rack.pitch, self.distance)
+        return gears_picture(repr(self)[1:-1], [bar, replace(self.part, axis=axis, angle=-pi / 2)])
+
+    def entry(self) -> Facts:
+        """The mesh: play under its four names, contact ratio and travel."""
+        play = self.backlash
+        return Facts(
+            pinion_teeth=self.pinion.teeth,
+            rack_teeth=self.rack.teeth,
+            distance_mm=self.distance,
+            j_bt_um=play.base * 1e3,
+            j_bn_um=play.normal * 1e3,
+            j_wt_um=play.pitch * 1e3,
+            pinion_play_deg=degrees(play.driver_angle),
+            contact_ratio=self.contact_ratio,
+            travel_mm=self.travel,
+        )
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
@@ -111,7 +153,7 @@ class Rack(Stated, OnePart, Pictured):
         """Exact volume, mm³."""
         return self.form.area * self.form.width
 
-    def meshed(self, pinion: Gear, distance: float) -> RackMesh:
+    def meshed(self, pinion: Gear, distance: float) -> MeshedRack:
         """A pinion on the rack: play under its four names, contact ratio and travel.
 
         Args:
@@ -124,8 +166,7 @@ class Rack(Stated, OnePart, Pictured):
         if not isinstance(pinion, Gear):
             raise DesignError("{name} is {value}; it must be a Gear", name="pinion", value=brief(repr(pinion), 60))
         real("distance", distance, 0, 2000, "mm", above=True)
-        pinion.part  # noqa: B018
-        return RackMesh(pinion=pinion.form, rack=self.form, distance=float(distance))
+        return MeshedRack(pinion=pinion.form, rack=self.form, distance=float(distance), part=pinion.part)
 
     def entry(self) -> Facts:
         """The rack with the sizes to make and to measure it by."""

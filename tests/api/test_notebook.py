@@ -110,6 +110,44 @@ def test_a_picture_of_gears_has_their_areas_and_no_tooth_in_another(results):
         assert polygon.area * gear.width == pytest.approx(gear.volume, rel=0.02)  # thinned teeth
 
 
+def test_a_section_is_open_where_the_part_is():
+    """Signed areas of what is filled, against the exact volumes: openings run the other way round."""
+    chord = 0.01
+    turned = (Gear(teeth=20, module=1.0, width=5.0, bore=6.0), Gear(teeth=40, module=1.0, width=5.0, internal=True))
+    rack = Rack(teeth=12, module=1.0, width=5.0)
+    for gear in turned:
+        (patch,) = gear.plot().axes[0].patches
+        assert sum(map(_signed, patch.get_path().to_polygons())) == pytest.approx(
+            gear.volume / gear.width, abs=chord * gear.tip_diameter * 5
+        )
+    meshed = rack.meshed(turned[0], 10.05)
+    assert repr(meshed) == "<MeshedRack, 12 teeth under a pinion of 20, backlash 0.0364 mm>"
+    assert "<svg" in meshed._repr_html_()
+    assert meshed.facts()["travel_mm"] == pytest.approx(20 * np.pi)
+    bar, pinion = (patch.get_path().to_polygons() for patch in meshed.plot().axes[0].patches)
+    assert sum(map(_signed, bar)) == pytest.approx(rack.volume / rack.width, rel=0.01)
+    from shapely.geometry import Polygon
+
+    assert Polygon(bar[0]).intersection(Polygon(pinion[0])).area < 1e-3
+    assert Polygon(bar[0]).distance(Polygon(pinion[0])) < 0.02
+
+
+def _signed(ring):
+    x, y = ring.T
+    return float(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2
+
+
+def test_files_and_their_folder_are_told_in_a_line(results, tmp_path):
+    written = results["cam"].write(tmp_path, formats=["csv"])
+    (tmp_path / "of_mine.txt").touch()
+    assert repr(written[0]) == f"<WrittenFile cam_actual.csv, {written[0].bytes} bytes>"
+    state = cadgen.verify(tmp_path)
+    assert repr(state) == "<FolderState true: 1 as listed, 1 not listed>"
+    assert state._repr_html_().count("<tr>") == 3
+    written[0].path.write_text("changed")
+    assert repr(cadgen.verify(tmp_path)).startswith("<FolderState not true: 1 changed")
+
+
 def test_a_motion_and_what_is_asked_of_a_cam_have_pictures(results):
     cam = results["cam"]
     wave = Motion(points=[(float(angle), float(1 - np.cos(angle))) for angle in np.arange(6)])

@@ -325,7 +325,7 @@ class Supply(StrEnum):
     BOUGHT = "bought"
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class CarPart:
     """A part of a car, once or several times.
 
@@ -364,6 +364,9 @@ class CarPart:
     shaft: int = 0
     order: int = 0
     how: str = ""
+
+    def __repr__(self) -> str:
+        return f"<CarPart {self.code}, {self.quantity} of {self.title}>"
 
     @property
     def quantity(self) -> int:

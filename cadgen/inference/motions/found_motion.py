@@ -8,7 +8,7 @@ taken off, the laws are compared once more.
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import radians
+from math import degrees, radians
 
 import numpy as np
 
@@ -51,7 +51,7 @@ _LEAST_POINTS = 90
 _LEAST_SIZE = 1.0  # mm; no cam is as small, but the points of one in m are
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class FoundFlank:
     """Rise or return that was found.
 
@@ -78,6 +78,9 @@ class FoundFlank:
     fits: tuple[FlankFit, ...]
     unknown: FlankFit
     fits_in: bool
+
+    def __repr__(self) -> str:
+        return f"<FoundFlank {self.best.candidate.code}, {degrees(self.start):.2f}° to {degrees(self.stop):.2f}°>"
 
     @property
     def best(self) -> FlankFit:

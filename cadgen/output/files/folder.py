@@ -18,15 +18,17 @@ import os
 import re
 import secrets
 import shutil
+from collections import Counter
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from enum import StrEnum
+from html import escape
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from cadgen.errors import FileError, brief
-from cadgen.figures import Facts
+from cadgen.figures import Facts, frame_of, html_table
 from cadgen.messages import Message
 from cadgen.output.files.lock import NAME as LOCK
 from cadgen.output.files.lock import drop, hold, is_held, locked
@@ -43,6 +45,9 @@ from cadgen.output.files.manifest import (
 )
 from cadgen.output.files.manifest import NAME as MANIFEST
 from cadgen.reading import read_regular
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 _PREFIX = ".cadgen-"
 _STAGING = re.compile(rf"{re.escape(_PREFIX)}[0-9a-f]{{16}}")
@@ -355,7 +360,7 @@ class FileState:
     state: State
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class FolderState:
     """State of a folder against its manifest.
 
@@ -372,6 +377,23 @@ class FolderState:
     left: tuple[str, ...]
     restored: tuple[str, ...] = ()
     older: Mapping[str, str] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        counts = Counter(str(file.state) for file in self.files)
+        said = ", ".join(f"{count} {state}" for state, count in counts.items())
+        return f"<FolderState {'true' if self.is_true else 'not true'}: {said or 'no files'}>"
+
+    def to_pandas(self) -> "DataFrame":
+        """Files as a pandas frame: name, part and state.
+
+        Raises:
+            DesignError: pandas is not installed.
+        """
+        return frame_of([asdict(file) for file in self.files])
+
+    def _repr_html_(self) -> str:
+        rows = (("file", "state"), *((file.name, str(file.state)) for file in self.files))
+        return f"<p><code>{escape(repr(self))}</code></p>{html_table(rows)}"
 
     @property
     def is_true(self) -> bool:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, overload
 
 from cadgen.check import Bound, Check
 from cadgen.errors import DesignError, FileError, brief
-from cadgen.figures import Facts, Figures, frame_of
+from cadgen.figures import Facts, Figures, frame_of, html_table
 from cadgen.messages import Message, joined
 from cadgen.output.files.folder import FolderState, folder_state, publishing, undo_killed
 from cadgen.output.files.lock import locked
@@ -139,7 +139,7 @@ def frozen(value: Any) -> Any:
     return tuple(map(frozen, value)) if isinstance(value, list | tuple) else value
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class WrittenFile:
     """A file that was written and proved by reading it back.
 
@@ -162,6 +162,9 @@ class WrittenFile:
     end_position_mm: float | None
     facts: Mapping[str, Any]
     readings: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        return f"<WrittenFile {self.name}, {self.bytes} bytes>"
 
     @property
     def name(self) -> str:
@@ -247,8 +250,7 @@ class Written(Sequence[WrittenFile]):
             (file.name, f"{file.bytes / 1000:.1f}", "" if file.lift_error_um is None else f"{file.lift_error_um:.3g}")
             for file in self.files
         )
-        table = "".join(f"<tr>{''.join(f'<td>{escape(cell)}</td>' for cell in row)}</tr>" for row in (heads, *rows))
-        return f"<p><code>{escape(str(self.folder))}</code></p><table>{table}</table>"
+        return f"<p><code>{escape(str(self.folder))}</code></p>{html_table((heads, *rows))}"
 
     def __len__(self) -> int:
         return len(self.files)

@@ -21,6 +21,8 @@ _WIDTH, _LEAST, _MOST = 7.0, 2.5, 7.0  # inches
 def outlines(part: TrainPart, chord: float = _CHORD) -> Iterator[tuple[int, list[Points]]]:
     """Outlines of a part at its place, x + iy, mm: of each slab that has teeth, the outer one first.
 
+    Those with the material outside run clockwise, so that a filled picture leaves them open.
+
     Args:
         part: part of a train.
         chord: greatest error of the chords, mm.
@@ -31,7 +33,7 @@ def outlines(part: TrainPart, chord: float = _CHORD) -> Iterator[tuple[int, list
     turn = np.exp(1j * part.angle)
     for number, start in enumerate(part.starts):
         slab = next(slab for slab in part.body.slabs if slab.start <= start + 1e-9 < slab.end)
-        own = [loop.polygon(chord) for loop in (*slab.rings, *slab.holes)]
+        own = [loop.polygon(chord)[:: 1 if full else -1] for loop, full in slab.walls().items()]
         yield number, [part.axis + turn * (points.conjugate() if part.flipped else points) for points in own]
 
 
@@ -52,7 +54,8 @@ def gears_picture(title: str, parts: Sequence[TrainPart]) -> "Iterator[Figure]":
     with figure(_WIDTH, float(np.clip(_WIDTH * along / across, _LEAST, _MOST)) + 0.5) as picture:
         axes = picture.subplots()
         for part, found in drawn:
-            path = Path.make_compound_path(*(Path(np.stack([p.real, p.imag], 1), closed=True) for p in found))
+            ends = [np.append(points, points[0]) for points in found]  # a closed path ends where it begins
+            path = Path.make_compound_path(*(Path(np.stack([p.real, p.imag], 1), closed=True) for p in ends))
             axes.add_patch(
                 PathPatch(path, facecolor=_FACES[part.shaft % len(_FACES)], edgecolor=BLACK, linewidth=0.5, alpha=0.8)
             )

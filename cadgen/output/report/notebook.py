@@ -11,7 +11,7 @@ from weakref import WeakKeyDictionary
 
 from cadgen.arrays import Array
 from cadgen.errors import CadgenError
-from cadgen.figures import JobResult, rounded
+from cadgen.figures import JobResult, html_table, rounded
 from cadgen.output.report.style import AFTER, BEFORE, GREEN, Drawing, figure
 
 if TYPE_CHECKING:
@@ -56,8 +56,8 @@ class Pictured(JobResult, Plotted):
             for name, value in self.facts().items()
             if isinstance(value, int | float | str) and 0 < len(str(value)) <= _LONGEST
         }
-        rows = [f"<tr><td>{escape(name)}</td><td>{escape(text)}</td></tr>" for name, text in said.items()][:_MOST_ROWS]
-        return f"<p><code>{escape(repr(self))}</code></p><table>{''.join(rows)}</table>{_shown(self)}"
+        rows = list(said.items())[:_MOST_ROWS]
+        return f"<p><code>{escape(repr(self))}</code></p>{html_table(rows)}{_shown(self)}"
 
 
 class Viewed(ABC):
