@@ -11,7 +11,8 @@ from cadgen.arrays import TURN, Array
 from cadgen.errors import DesignError
 from cadgen.parts.face import Face
 
-# DIN 6885-1 (ISO 773): bore above and up to, in mm; width b and depth t2 of the keyway in the hub, in mm.
+# DIN 6885-1 (ISO 773; printed extracts of GB/T 1095 agree): bore above and up to, in mm; width b and depth t2 of the
+# keyway in the hub, in mm.
 STANDARD_KEYWAYS = (
     (6.0, 8.0, 2.0, 1.0),
     (8.0, 10.0, 3.0, 1.4),

@@ -9,7 +9,7 @@ from scipy.optimize import brentq, linprog
 from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.gears.fits import clearance, flat_play, key_play
+from cadgen.gears.fits import clearance, deviations, flat_play, key_play
 
 KEYED = ("blank.joint=keyed", "blank.joint_clearance_greatest_um=25")
 
@@ -59,6 +59,31 @@ def test_a_d_shaft_turns_until_it_touches_wherever_it_is_pushed(radius, across, 
 )
 def test_fits_are_those_of_the_printed_tables(fit, size, least, greatest):
     assert np.array(clearance(fit, size)) * 1e3 == pytest.approx([least, greatest])
+
+
+# Lower and upper deviations in µm of printed extracts of DIN ISO 286-2, up to 3, 6, 10, 18, 30 and 50 mm.
+HOLES = {
+    "E8": ((14, 28), (20, 38), (25, 47), (32, 59), (40, 73), (50, 89)),
+    "F7": ((6, 16), (10, 22), (13, 28), (16, 34), (20, 41), (25, 50)),
+    "G6": ((2, 8), (4, 12), (5, 14), (6, 17), (7, 20), (9, 25)),
+    "H7": ((0, 10), (0, 12), (0, 15), (0, 18), (0, 21), (0, 25)),
+    "D12": ((20, 120), (30, 150), (40, 190), (50, 230), (65, 275), (80, 330)),
+    "JS9": ((-12.5, 12.5), (-15, 15), (-18, 18), (-21.5, 21.5), (-26, 26), (-31, 31)),
+    "N9": ((-29, -4), (-30, 0), (-36, 0), (-43, 0), (-52, 0), (-62, 0)),
+    "P9": ((-31, -6), (-42, -12), (-51, -15), (-61, -18), (-74, -22), (-88, -26)),
+    "P7": ((-16, -6), (-20, -8), (-24, -9), (-29, -11), (-35, -14), (-42, -17)),
+}
+
+
+@pytest.mark.parametrize("hole", HOLES)
+def test_holes_and_grooves_have_the_printed_deviations(hole):
+    """Of a shaft the same letter keeps as far off on the other side."""
+    for size, (low, high) in zip((3.0, 6.0, 10.0, 18.0, 30.0, 50.0), HOLES[hole], strict=True):
+        found, _ = deviations(f"{hole}/h6", size)
+        assert np.array(found) * 1e3 == pytest.approx([low, high]), size
+        if hole[0] in "DEFGH":
+            _, shaft = deviations(f"H7/{hole.lower()}", size)
+            assert np.array(shaft) * 1e3 == pytest.approx([-high, -low]), size
 
 
 @pytest.mark.parametrize("fit", ["H7", "h7/H6", "S7/h6", "H7/q6", "H99/h6", "H7/g6 "])

@@ -346,6 +346,7 @@ def test_seats_of_keys_have_the_limits_of_their_width_and_length() -> None:
     assert [key_size(width) for width in (22.0, 25.0, 28.0)] == [(14.0, 9.0), (14.0, 9.0), (16.0, 10.0)]
     assert [key_length(3.0, room) for room in (5.9, 6.0, 11.0, 17.9)] == [None, 6.0, 10.0, 16.0]
     assert [key_length(8.0, room) for room in (17.0, 24.0, 31.0)] == [None, 22.0, 28.0]
+    assert key_length(3.0, 80.0) == 36.0  # longer ones are not sold
     seats = [KeySeat(5.0, 45.0, 8.0, 13.0 - 4.0, 0.0)]
     title = Title(
         part="shaft", title="", material="", finish="", quantity=1, date="2026-01-01", design="", number="shaft"
@@ -355,7 +356,7 @@ def test_seats_of_keys_have_the_limits_of_their_width_and_length() -> None:
     assert sheet.dimensions["shaft less seat 1"] == pytest.approx(22.0)
     assert (said["shaft less seat 1"], said["length of seat 1"]) == (" (0/-0.2)", " +0.3/0")
     assert [longer(length) for length in (28.0, 32.0, 80.0, 90.0)] == [0.2, 0.3, 0.3, 0.5]
-    assert [fillet(width) for width in (4.0, 5.0, 10.0, 20.0, 36.0)] == [0.16, 0.25, 0.4, 0.6, 1.0]
+    assert [fillet(width) for width in (4.0, 5.0, 10.0, 20.0, 36.0, 56.0)] == [0.16, 0.25, 0.4, 0.6, 1.0, 1.6]
     section = sheet.views[1]
     assert section.place[1] - sheet.scale * 13.0 > EDGE + sheet.title.height
     assert apart(boxes(document_of(sheet).modelspace())) == []

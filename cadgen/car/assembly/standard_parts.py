@@ -1,7 +1,8 @@
 """Bought parts by standard sizes: ball bearings, socket head screws, nuts and the holes that they need.
 
 Sizes of bearings up to a bore of 10 mm, of screws (ISO 4762), nuts (ISO 4032), clearance holes (ISO 273) and keys are
-those of the tables of bd_warehouse 0.4.0 (Apache-2.0). Its bearings are of a maker's catalogue (SKF). 683 and 693 are
+those of the tables of bd_warehouse 0.4.0 (Apache-2.0). Its bearings are of a maker's catalogue (SKF). Sizes and lengths
+of keys agree with printed extracts of DIN 6885-1 and of GB/T 1095 and 1096, which have ISO 773, too. 683 and 693 are
 of the table at softsolder.com/2011/02/18/miniature-ball-bearing-sizes. Bearings of 12 and 15 mm, and set collars
 (DIN 705), are usual catalogue sizes, which no table at hand held.
 """
@@ -146,13 +147,14 @@ _KEYS = {
     22.0: (14.0, 9.0), 25.0: (14.0, 9.0), 28.0: (16.0, 10.0),
 }  # fmt: skip
 _SEAT_SHARE = 0.6  # of the height of a key in its shaft, where the table has none of its width
-# Lengths of parallel keys that are sold, mm, and the least by the width (DIN 6885-1, ISO 773).
+# Lengths of parallel keys that are sold, mm, and least and greatest by the width (DIN 6885-1, GB/T 1096).
 _KEY_LENGTHS = (
     6, 8, 10, 12, 14, 16, 18, 20, 22, 25, 28, 32, 36, 40, 45, 50, 56, 63, 70, 80, 90, 100, 110, 125, 140, 160, 180, 200
 )  # fmt: skip
-_LEAST_LENGTHS = {
-    2.0: 6, 3.0: 6, 4.0: 8, 5.0: 10, 6.0: 14, 8.0: 18, 10.0: 22, 12.0: 28, 14.0: 36, 16.0: 45, 18.0: 50, 20.0: 56,
-    22.0: 63, 25.0: 70, 28.0: 80,
+_LENGTHS_SOLD = {
+    2.0: (6, 20), 3.0: (6, 36), 4.0: (8, 45), 5.0: (10, 56), 6.0: (14, 70), 8.0: (18, 90), 10.0: (22, 110),
+    12.0: (28, 140), 14.0: (36, 160), 16.0: (45, 180), 18.0: (50, 200), 20.0: (56, 220), 22.0: (63, 250),
+    25.0: (70, 280), 28.0: (80, 320),
 }  # fmt: skip
 
 
@@ -172,8 +174,8 @@ def key_length(width: float, room: float) -> float | None:
         width: width of the key, mm.
         room: greatest length, mm.
     """
-    least = _LEAST_LENGTHS.get(width, 2 * width)
-    return max((float(each) for each in _KEY_LENGTHS if least <= each <= room + 1e-9), default=None)
+    least, greatest = _LENGTHS_SOLD.get(width, (2 * width, _KEY_LENGTHS[-1]))
+    return max((float(each) for each in _KEY_LENGTHS if least <= each <= min(greatest, room + 1e-9)), default=None)
 
 
 class SetCollar(NamedTuple):

@@ -3,6 +3,9 @@
 The keyway of a hub and the seat in its shaft may be deeper than stated, and no shallower. The limits go with the key's
 width (DIN 6885-1, depths t2 and t1; GB/T 1095 has the same). A keyway is P9 wide for a tight key, JS9 for an easy one,
 and the key itself h9; the seat is P9 for either, so that the play is that in the hub.
+
+Depths, radii and classes of width agree with printed extracts of both standards, symmetry with table B.4 of GB/T 1184.
+The limits of a seat's length stand in DIN 6885-1 alone, of which no extract at hand has them: GB/T 1095 takes H14.
 """
 
 from collections.abc import Iterator
@@ -20,7 +23,8 @@ from cadgen.parts.features import DFlat, Flats, Keyway
 _Steps = tuple[tuple[float, float], ...]
 _DEEPER: _Steps = ((6.0, 0.1), (32.0, 0.2), (inf, 0.3))  # by the width: upper deviation of depths
 _LONGER: _Steps = ((28.0, 0.2), (80.0, 0.3), (inf, 0.5))  # by the length: upper deviation of a seat's length
-_FILLETS: _Steps = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6), (inf, 1.0))  # by the width: r2 of a seat
+# By the width: greatest r2 of a seat.
+_FILLETS: _Steps = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6), (50.0, 1.0), (70.0, 1.6), (inf, 2.5))
 # By the width: symmetry to the axis, grade 8 of GB/T 1184 (table B.4), which GB/T 1095 has between 7 and 9.
 _SYMMETRY: _Steps = (
     (3.0, 0.01), (6.0, 0.012), (10.0, 0.015), (18.0, 0.02), (30.0, 0.025), (50.0, 0.03), (inf, 0.04)
