@@ -381,7 +381,10 @@ class PlateSection(DesignSection):
         default=None, max_length=20, description="of the holes and the shafts in them by ISO 286, such as `H7/h6`"
     )
     thickness_mm: Feature | None = Field(
-        default=None, le=200, description="of the plates, which are then made as STEP, too"
+        default=None,
+        le=200,
+        description="of the plates, which are then made as STEP, too; left out, their sheet has the "
+        "width of their widest bearing, or the diameter of the thickest shaft where shafts run in the holes",
     )
     bearing_bores_mm: Annotated[tuple[Annotated[FeatureOrNone, Le(500)], ...], Strict(False)] | None = Field(
         default=None,

@@ -4,6 +4,7 @@ A sheet's title block names the design by its hash, and its notes name the files
 """
 
 import os
+import re
 import shlex
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from cadgen.arrays import TURN, Array
+from cadgen.car.assembly.standard_parts import bearing_of
 from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.load import packaged_designs
@@ -51,6 +53,8 @@ if TYPE_CHECKING:
     from cadgen.output.drawing.sheet_files import SheetDocument
 
 _EDGES = ((3.0, 0.3), (2.0, 0.2), (0.0, 0.1))  # least module, and what may be taken off an edge of its teeth, mm
+_IN_WORDS = re.compile(r"(\d+(?:\.\d+)?) ?mm")  # thickness of a sheet in the words of its material
+_LEAST_THICKNESS = 5.0  # mm, of a plate without bearings and shafts
 _HASH = 12  # letters of a design's hash in a title block
 
 
@@ -377,7 +381,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     holes = Message("shaft Ø, mm") if of_shafts else Message("hole Ø, mm")
     plate = plate_of(plan)
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
-    yield stem, plate_drawing(plate, holes, tuple(_plate_notes(plan, bool(zones))), title, zones)
+    thickness = plate.thickness or _usual_thickness(plan)
+    yield stem, plate_drawing(plate, thickness, holes, tuple(_plate_notes(plan, thickness, bool(zones))), title, zones)
 
 
 def _carries(part: TrainPart) -> bool:
@@ -443,20 +448,34 @@ def _printed(plan: GearTrain) -> bool:
     return plan.car is not None and plan.car.printed
 
 
-def _plate_notes(plan: GearTrain, framed: bool) -> Iterator[str]:
+def _usual_thickness(plan: GearTrain) -> float:
+    """Thickness of plates where no key has it, mm: that of the car, or that in the words of their material.
+
+    Else their widest bearing fills them; shafts in plain holes have as much length as the thickest has diameter.
+    """
+    if plan.car is not None:
+        return plan.car.site.plate
+    if named := _IN_WORDS.search(plan.making.plate or ""):
+        return float(named[1])
+    shafts = [part.blank.bore_diameter for part in plan.layout.on_shafts if not is_bar(part.gears[0])]
+    bores = bearing_bores(plan.making.bearing_bores, shafts)
+    bearings = [bearing_of(shaft, bore) for shaft, bore in zip(shafts, bores, strict=True)]
+    widths = [bearing.width for bearing in bearings if bearing is not None]
+    return max(widths or shafts) or _LEAST_THICKNESS
+
+
+def _plate_notes(plan: GearTrain, thickness: float, framed: bool) -> Iterator[str]:
     """Sentences on the plate of a train.
 
     Args:
         plan: train.
+        thickness: thickness of its plates, mm.
         framed: whether frames hold the places of its holes.
     """
     yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
-    if plan.making.plate_thickness is None:
-        yield Message("Two to a machine, before and behind the gears. Thickness as the bearings need.")
-    elif framed:
+    if framed:
         yield Message("Two to a machine, before and behind the gears.")
     else:
-        thickness = plan.making.plate_thickness
         yield Message("Two to a machine, before and behind the gears, {thickness:g} mm thick.", thickness=thickness)
     holes, bearings = plan.making.holes, plan.making.bearing_bores is not None
     if bearings:

@@ -768,3 +768,20 @@ def test_tabs_go_into_their_slots_by_the_limits_that_the_sheets_state(car: CarAs
             narrowest = pair[0][2][1][0] - pair[0][2][1][1]
             assert narrowest - thickest >= apart[number][1][1] - 1e-9
     assert closed == 1
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("overrides", "thickness"),
+    [
+        ((), 8.0),  # shafts of 5, 3, 3 and 8 mm in plain holes
+        (("train.plate.bearing_bores_mm=[16,10,10,22]",), 7.0),  # 625, 623, 623 and 608 are 5, 4, 4 and 7 mm wide
+        (("train.plate.material=plywood 5.5 mm",), 5.5),
+        (("train.plate.thickness_mm=6",), 6.0),
+    ],
+)
+def test_a_plate_for_the_axes_has_its_thickness(overrides: tuple[str, ...], thickness: float) -> None:
+    design = load_design("carbon_free_car", list(overrides))
+    (plate,) = (sheet for stem, sheet in sheets_of(plan_gears(design), NOWHERE) if stem.endswith("_plate"))
+    assert plate.dimensions["thickness"] == thickness
+    assert not any("hickness" in note for note in plate.notes)

@@ -728,12 +728,13 @@ def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimensio
 
 
 def plate_drawing(
-    plate: Plate, holes: str, notes: tuple[str, ...], title: Title, zones: Mapping[int, float]
+    plate: Plate, thickness: float, holes: str, notes: tuple[str, ...], title: Title, zones: Mapping[int, float]
 ) -> DrawingSheet:
     """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1.
 
     Args:
         plate: plate with its axes.
+        thickness: its thickness, mm.
         holes: what the diameters of its holes are, over their column.
         notes: sentences for the shop.
         title: title block.
@@ -814,9 +815,7 @@ def plate_drawing(
     ]
     if seats:
         aside = (place[0] + scale * right + _PLATE_GAP + 18.0, place[1])
-        views.append(
-            edge_view(plate.thickness, (low, high), [(each.y, each.bore) for each in plate.holed], aside, scale)
-        )
+        views.append(edge_view(thickness, (low, high), [(each.y, each.bore) for each in plate.holed], aside, scale))
     return DrawingSheet(
         size=size,
         scale=scale,

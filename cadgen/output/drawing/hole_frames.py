@@ -19,7 +19,6 @@ from cadgen.output.drawing.sheet import (
     Characteristic,
     Closed,
     DatumFeature,
-    Dimension,
     LinearDimension,
     LineKind,
     Stroke,
@@ -35,7 +34,7 @@ _CHORD = 0.01  # mm, of an outline to which a leader leads
 _CLEAR = 0.6  # of the cosine of the angle between such a leader and a keyway
 _LETTERS = "BC"  # of the first two holes; A is the face
 _STEPS = 1000  # in a mm, to which a zone is rounded down
-_SHOWN, _OVER = 5.0, 8.0  # mm on paper: thickness that nobody states, and from the plate to its dimension
+_OVER = 8.0  # mm on paper, from the plate to its dimension
 
 
 def seat_zones(shafts: Collection[int], train: Train) -> dict[int, float]:
@@ -119,7 +118,7 @@ def hole_frames(holes: Sequence[tuple[str, tuple[float, float], float, float]], 
 
 
 def edge_view(
-    thickness: float | None,
+    thickness: float,
     ends: tuple[float, float],
     holes: Sequence[tuple[float, float]],
     place: tuple[float, float],
@@ -129,40 +128,36 @@ def edge_view(
     """View of a plate from the right, on whose face datum A stands: holes hidden.
 
     Args:
-        thickness: thickness, mm; None where the design does not say.
+        thickness: thickness, mm.
         ends: lower and upper end, mm.
         holes: height and diameter of each hole, mm.
         place: where its left face at height 0 lies on the paper, mm.
         scale: mm on paper for a mm of the part.
         suffix: limits of the thickness, in words.
     """
-    (low, high), wide = ends, thickness or _SHOWN / scale
-    corners = np.array([[0.0, low], [wide, low], [wide, high], [0.0, high], [0.0, low]])
+    low, high = ends
+    corners = np.array([[0.0, low], [thickness, low], [thickness, high], [0.0, high], [0.0, low]])
     curves: list[Closed | Stroke] = [Stroke(corners)]
     for at, diameter in holes:
         for side in (-0.5, 0.5):
-            line = np.array([[0.0, at + side * diameter], [wide, at + side * diameter]])
+            line = np.array([[0.0, at + side * diameter], [thickness, at + side * diameter]])
             curves.append(Stroke(line, LineKind.HIDDEN))
-        curves.append(Stroke(np.array([[-2.0 / scale, at], [wide + 2.0 / scale, at]]), LineKind.CENTRE))
-    dimensions: tuple[Dimension, ...] = ()
-    if thickness is not None:
-        over = high + _OVER / scale
-        long = TEXT * WIDEST * len(f"{rounded(wide)}{suffix}")
-        made = LinearDimension(
-            name="thickness",
-            start=(0.0, high),
-            end=(wide, high),
-            at=(0.0, over),
-            suffix=suffix,
-            beside=0.0 if scale * wide > long + 4.0 else scale * wide / 2 + TAIL + long / 2 + 1.0,
-        )
-        dimensions = (made,)
+        curves.append(Stroke(np.array([[-2.0 / scale, at], [thickness + 2.0 / scale, at]]), LineKind.CENTRE))
+    long = TEXT * WIDEST * len(f"{rounded(thickness)}{suffix}")
+    across = LinearDimension(
+        name="thickness",
+        start=(0.0, high),
+        end=(thickness, high),
+        at=(0.0, high + _OVER / scale),
+        suffix=suffix,
+        beside=0.0 if scale * thickness > long + 4.0 else scale * thickness / 2 + TAIL + long / 2 + 1.0,
+    )
     heights = np.linspace(low, high, 41)[4:-4]
     clear = [min((abs(at - y) - size / 2 for at, size in holes), default=inf) for y in heights]
-    foot = (wide, float(heights[int(np.argmax(clear))]))
+    foot = (thickness, float(heights[int(np.argmax(clear))]))
     return View(
         place=place,
         curves=tuple(curves),
-        dimensions=dimensions,
+        dimensions=(across,),
         symbols=(DatumFeature(letter="A", foot=foot, angle=0.0),),
     )
