@@ -105,13 +105,15 @@ def effect_texts() -> Iterator[str]:
 
 
 def law_texts() -> Iterator[str]:
-    """Meanings of the motion laws, which `cadgen explain` prints."""
+    """Meanings of the motion laws, which `cadgen explain` prints, and their names on sheets."""
     from cadgen.laws.power_laws import POWER_LAWS
     from cadgen.laws.scca import SCCA
     from cadgen.laws.sine_laws import SINE_LAWS
     from cadgen.laws.valve_lobe import VALVE_LOBE
 
-    yield from (law.meaning for law in (*POWER_LAWS, *SINE_LAWS, *SCCA, VALVE_LOBE))
+    for law in (*POWER_LAWS, *SINE_LAWS, *SCCA, VALVE_LOBE):
+        yield from (law.meaning, law.name)
+    yield "polynomial"  # by conditions, made for its segment
 
 
 def data_texts() -> Iterator[str]:

@@ -59,6 +59,13 @@ class MotionLaw:
         """
         return cls(code=code, meaning=meaning, jet=form.jet, jet_before=form.jet_before, seams=form.seams, **more)
 
+    @property
+    def name(self) -> str:
+        """Words of the code, its numbers joined, such as `polynomial 3-4-5`, for sheets."""
+        words = self.code.split("_")
+        numbers = [word for word in words if word.isdigit()]
+        return " ".join([*(word for word in words if not word.isdigit()), *(["-".join(numbers)] if numbers else [])])
+
     def derivatives(self, u: Array, *, before: bool = False) -> Array:
         """Law and its first three derivatives by the share, from the law itself, shape (n, 4).
 

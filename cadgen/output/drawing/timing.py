@@ -46,7 +46,7 @@ class TimedSegment:
         start: cam angle at which it begins, degrees.
         stop: cam angle at which it ends, degrees.
         after: lift or swing at its end, mm or degrees.
-        law: name of its law as in the design file, or the word for a dwell.
+        law: name of its law in words, or the word for a dwell.
     """
 
     start: float
@@ -96,7 +96,7 @@ class TimingDiagram:
                     start=degrees(span.start),
                     stop=degrees(span.stop),
                     after=height,
-                    law=span.law.code if span.law else Message("dwell"),
+                    law=Message(span.law.name if span.law else "dwell"),
                 )
                 for span, height in zip(motion.segments, heights.tolist(), strict=True)
             )

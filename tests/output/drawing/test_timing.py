@@ -1,5 +1,6 @@
 """Sheets of cams by their motion: timing diagram, segments, sense; and the groove, held against closed forms."""
 
+import re
 from dataclasses import replace
 from math import pi
 
@@ -8,7 +9,8 @@ import pytest
 
 from cadgen import Design
 from cadgen.jobs.drawings import Folder, sheet_of
-from cadgen.messages import LANGUAGES
+from cadgen.laws.table import codes, law_of
+from cadgen.messages import LANGUAGES, Message
 from cadgen.output.drawing.sheet import TEXT, LineKind, SheetTable, Stroke, have_room
 from cadgen.output.drawing.sheet_files import NoFontError, table_widths, text_length
 from cadgen.output.drawing.timing import TimingDiagram
@@ -19,6 +21,21 @@ from tests.output.drawing.table_cells import leaving
 def sheets(name, tmp_path, changes=()):
     cam = Design.load(name, changes).cam()
     return [sheet_of(disc, Folder.at(tmp_path)) for disc in cam.computed.discs]
+
+
+@pytest.mark.parametrize("code", codes())
+def test_laws_have_chinese_names_without_english_words(code):
+    name = Message(law_of(code).name)
+    assert "_" not in name
+    assert not re.search(r"[A-Za-z]{2}", name.translated("zh")), name
+
+
+@pytest.mark.parametrize("name", ["flat", "valve_lobe", "conjugate_pair"])
+def test_segments_of_a_chinese_sheet_are_chinese(name, tmp_path):
+    for sheet in sheets(name, tmp_path):
+        (table,) = [each for each in sheet.tables if str(each.title).startswith("segments")]
+        for row in table.rows[1:]:
+            assert re.search(r"[\u4e00-\u9fff]", row[-1].translated("zh")), row
 
 
 def diagram(sheet):
@@ -54,9 +71,9 @@ def test_the_curve_of_the_diagram_is_the_lift(tmp_path):
     assert np.all(lift[(angle > 90) & (angle < 135)] == 10.0)
     (table,) = [each for each in sheet.tables if str(each.title) == "segments"]
     assert [tuple(map(str, row)) for row in table.rows[1:]] == [
-        ("1", "0 – 90", "10", "polynomial_3_4_5"),
+        ("1", "0 – 90", "10", "polynomial 3-4-5"),
         ("2", "90 – 135", "10", "dwell"),
-        ("3", "135 – 315", "0", "polynomial_3_4_5"),
+        ("3", "135 – 315", "0", "polynomial 3-4-5"),
         ("4", "315 – 360", "0", "dwell"),
     ]
     assert_cells_hold_their_texts(sheet)
