@@ -7,9 +7,9 @@ from enum import StrEnum
 from math import hypot, pi, radians, sin
 from typing import Annotated, TypeVar
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 
-from cadgen.car.running.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial, material_by_name
 from cadgen.design.section import HERE, WORD, CellText, DesignSection, Feature, ZeroOrFeature
 from cadgen.errors import DesignError
 from cadgen.messages import Message
@@ -223,8 +223,10 @@ class BlankSection(Held):
         description="of the bore on its shaft by ISO 286, such as `H7/g6`; half its clearance adds to "
         "`tolerances.eccentricity_mm`",
     )
-    material: Annotated[DiscMaterial, WORD] | None = Field(
-        default=None, description="of the disc: its friction with the rod goes by it where [mechanics] gives none"
+    material: Annotated[DiscMaterial, WORD, BeforeValidator(material_by_name)] | None = Field(
+        default=None,
+        description="of the disc, also by a grade or another word, such as `C45` or `aluminum`: its friction with the "
+        "rod goes by it where [mechanics] gives none",
     )
 
     @model_validator(mode="after")

@@ -3,9 +3,9 @@
 from enum import StrEnum
 from typing import TYPE_CHECKING, Annotated
 
-from pydantic import Field, Strict, create_model, model_validator
+from pydantic import BeforeValidator, Field, Strict, create_model, model_validator
 
-from cadgen.car.running.friction import DiscMaterial
+from cadgen.car.running.friction import DiscMaterial, material_by_name
 from cadgen.design.section import WORD, DesignSection
 from cadgen.deviations.deviation import VARIED
 from cadgen.gears.choices import Law, StageOrder
@@ -91,7 +91,7 @@ class TolerancesSection(_Zones):
     [mechanics].
     """
 
-    frame_material: Annotated[DiscMaterial, WORD] | None = Field(
+    frame_material: Annotated[DiscMaterial, WORD, BeforeValidator(material_by_name)] | None = Field(
         default=None, description="of what holds camshaft and fork apart; left out, aluminium"
     )
     gear_seat_mm: float | None = Field(

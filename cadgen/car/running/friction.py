@@ -26,14 +26,53 @@ class DiscMaterial(StrEnum):
     POM = "POM"
 
 
+# Words, grades (EN, ISO, GB, AISI) and trade names of each material in small letters; Chinese ones may stand in a word.
+NAMES: dict[DiscMaterial, str] = {
+    DiscMaterial.ALUMINIUM: "aluminium aluminum dural duralumin almg3 almgsi1 almg4.5mn alcu4mg1 alznmgcu1.5 "
+    "2014 2017 2024 5052 5083 5754 6005 6060 6061 6063 6082 7020 7050 7075 2a12 6a02 7a04 铝",
+    DiscMaterial.STEEL: "steel stainless inox c15 c35 c45 c45e c60 s45c s235 s235jr s275 s355 s355j2 st37 st52 q195 "
+    "q235 q235a q235b q345 q355 20cr 40cr gcr15 100cr6 16mncr5 20mncr5 20crmnti 42crmo4 34crnimo6 90mnv8 cr12mov "
+    "sus303 sus304 sus316 1020 1045 4140 4340 303 304 316 316l 1.0503 1.1191 1.4301 1.4305 1.4404 1.7131 1.7225 钢",
+    DiscMaterial.BRASS: "brass ms58 cuzn37 cuzn39pb3 cuzn40pb2 cw508l cw614n cw617n c360 h59 h62 h68 hpb59-1 黄铜",
+    DiscMaterial.ACRYLIC: "acrylic pmma plexiglas plexiglass perspex 亚克力 有机玻璃",
+    DiscMaterial.PLA: "pla 聚乳酸",
+    DiscMaterial.POM: "pom pom-c pom-h acetal delrin 聚甲醛 赛钢",
+}
+_OTHERS = ("bronze", "青铜", "铝铜")  # whose names have one of these metals in them
+_WORD = re.compile(r"[^\W_]+(?:[-.][^\W_]+)*")
+# What may stand beside a grade that is a mere number, which else is a length: the standard and the temper.
+_BESIDE = re.compile(r"en|aw|aisi|sae|gb|din|t\d+|h\d+")
+
+
 def named_material(stated: str | None) -> DiscMaterial | None:
-    """Material that a design's words name, such as steel in `steel C45`; None where they name none that is known.
+    """Material that a design's words name, such as steel in `steel C45`; None where they name none, or several.
 
     Args:
         stated: material as a design states it; None where it does not.
     """
-    words = re.findall(r"[^\W\d_]+", (stated or "").lower())
-    return next((each for each in DiscMaterial if each.lower() in words), None)
+    text = (stated or "").lower()
+    if any(other in text for other in _OTHERS):
+        return None
+    found, left = set[DiscMaterial](), text
+    names = [(name, material) for material, known in NAMES.items() for name in known.split()]
+    for name, material in sorted(names, key=lambda each: -len(each[0])):
+        if not name.isascii() and name in left:  # 赛钢 is no 钢
+            found.add(material)
+            left = left.replace(name, " ")
+    words = [part for word in _WORD.findall(left) for part in dict.fromkeys([word, *word.split("-")])]
+    found |= {material for name, material in names if name in words and not name.isdigit()}
+    if not found and all(word.isdigit() or "-" in word or _BESIDE.fullmatch(word) for word in words):
+        found = {material for name, material in names if name in words}
+    return found.pop() if len(found) == 1 else None
+
+
+def material_by_name(stated: object) -> object:
+    """Material in place of words that name it; anything else as it is, for the list of what is known.
+
+    Args:
+        stated: value of a key.
+    """
+    return named_material(stated) or stated if isinstance(stated, str) else stated
 
 
 # Least and greatest sliding friction of a steel rod on a disc: dry, and greased.
