@@ -323,10 +323,13 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         if not count:  # a planet like the one before
             continue
         stem = f"{plan.stem}_{part.name}"
-        data, blanks = [], []
+        data, blanks, places = [], [], [0.0]
         for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
-            data.append(gear_rows(gear, mates, pair, drives=drives))
+            data.append(gear_rows(gear, mates, pair, drives=drives, double=getattr(wheel, "double", False)))
+            if getattr(wheel, "holes", ()):  # where no place is stated the pins keep the deviation of their distance
+                stated = getattr(layout.train.stages[number - 1], "pin_place", 0.0)
+                places.append(stated or pair.distance_deviation or 0.0)
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined(
@@ -356,7 +359,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),
             tip_limits=tuple(map(_tip_limits, part.gears)),
             run_outs=tuple(blanks),
-            pins=2 * max(getattr(stage, "pin_place", 0.0) for stage in of_stages) if _carries(part) else 0.0,
+            pins=2 * max(places),
             parallel=of_stages[-1].distance_deviation or 0.0 if is_bar(part.gears[0]) else 0.0,
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)
@@ -383,11 +386,6 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
     thickness = plate.thickness or _usual_thickness(plan)
     yield stem, plate_drawing(plate, thickness, holes, tuple(_plate_notes(plan, thickness, bool(zones))), title, zones)
-
-
-def _carries(part: TrainPart) -> bool:
-    """Whether a part is a carrier with holes for the pins of its planets."""
-    return any(getattr(wheel, "holes", ()) for wheel in part.gears)
 
 
 def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -> tuple[float, float] | None:

@@ -10,11 +10,15 @@ from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, 
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.drawing.sheet import (
+    EDGE,
     FRAME_HEIGHT,
     LEVEL,
+    SIZES,
+    AngularDimension,
     Characteristic,
     DatumFeature,
     DrawingSheet,
+    LinearDimension,
     LineKind,
     Stroke,
     SurfaceTexture,
@@ -176,6 +180,42 @@ def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
     tips = frames(rack)["tips"]
     assert tips.characteristic == Characteristic.PARALLELISM
     assert tips.zone == pytest.approx(float(centre_distance_deviation(9.5, 7)))
+
+
+def test_a_carrier_whose_planets_stand_at_unequal_angles_says_them(tmp_path) -> None:
+    """Planets fit at multiples of 360° / (17 + 69) alone: those nearest to 120° and 240° are 29 and 57 of them."""
+    text = PLANETARY.replace("teeth = 18", "teeth = 17").replace("teeth = 27", "teeth = 26")
+    text = text.replace("pin_place_um = 8.0", 'spacing = "nearest"')
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_wheel"))
+    angles = [each for each in sheet.views[0].dimensions if isinstance(each, AngularDimension)]
+    assert [each.end - each.start for each in angles] == pytest.approx([29 * 360 / 86, 28 * 360 / 86])
+    assert all(each.exact for each in angles)
+    # No place of the pins is stated: they keep the deviation of their distance, which the play is reckoned with.
+    deviation = float(centre_distance_deviation((17 + 26) / 2, 7))
+    assert frames(sheet)["pins"].zone == pytest.approx(2 * deviation)
+    assert sheet.tables[0].title == "carrier"
+    assert "tooth" not in " ".join(map(str, sheet.notes))
+
+
+def test_a_double_helical_gear_has_both_hands_in_its_table(tmp_path) -> None:
+    text = TWO_STAGES.replace("[[train.stages]]", "[[train.stages]]\ndouble = true", 1)
+    text = text.replace("module_mm = 1.0", "module_mm = 1.0\nhelix_angle_deg = 25.0")
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    rows = {stem: dict(sheet.tables[0].rows) for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("1_pinion")}
+    (pinion,) = rows.values()
+    assert (pinion["helix of the lower half"], pinion["helix of the upper half"]) == ("25° right", "25° left")
+    assert pinion["face width"] == "2 × 4 mm"
+    assert "helix angle, hand" not in pinion
+
+
+def test_a_plate_keeps_its_dimensions_within_the_frame(sheets) -> None:
+    """The number over the uppermost line is 3.1 mm high; an A4 ends 10 mm over its frame."""
+    for name in TRAINS:
+        plate = sheets[name]["plate"]
+        view = plate.views[0]
+        highest = max(each.at[1] for each in view.dimensions if isinstance(each, LinearDimension))
+        assert view.place[1] + plate.scale * highest + 3.1 < SIZES[plate.size][1] - EDGE, name
 
 
 def test_a_pin_in_a_rack_touches_both_flanks_at_the_height_that_its_sheet_states(sheets) -> None:

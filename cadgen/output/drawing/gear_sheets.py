@@ -1,5 +1,6 @@
 """Sheets of a gear train: of each part, with a table of data for each of its gears, and of the plate for the axes."""
 
+from cmath import phase
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
@@ -31,6 +32,7 @@ from cadgen.output.drawing.sheet import (
     TEXT,
     TITLE_SIZE,
     WIDEST,
+    AngularDimension,
     Characteristic,
     Closed,
     DatumFeature,
@@ -68,6 +70,7 @@ from cadgen.output.drawing.sheet import (
     section_name,
     symmetry,
     upright,
+    width_of,
 )
 from cadgen.output.files.plate import Axis, Plate
 from cadgen.parts.body import Body
@@ -75,8 +78,20 @@ from cadgen.parts.features import Flats, Keyway
 from cadgen.parts.loop import Arc, Loop
 
 
-def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool) -> tuple[tuple[str, str], ...]:
-    """Gear data as pairs of name and value, in the order of ISO 1340; rows that a wheel lacks are left out."""
+def gear_rows(
+    gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool, double: bool = False
+) -> tuple[tuple[str, str], ...]:
+    """Gear data as pairs of name and value, in the order of ISO 1340; rows that a wheel lacks are left out.
+
+    Args:
+        gear: figures of the gear; of a carrier, which has no teeth, distance and name of its planets are left.
+        mates: what it meshes with.
+        stage: its stage.
+        drives: whether it is the driver of the stage.
+        double: whether its helix turns back at half the width.
+    """
+    if gear.value("teeth") is None:
+        return (Message("centre distance, mm"), rounded(stage.centre_distance, 4)), (Message("carries"), mates[0])
     grade = stage.grades[0 if drives else 1]
     ring = gear.value("rim_diameter") is not None
 
@@ -96,8 +111,12 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
 
     upper, lower = gear.value("E_sns"), gear.value("E_sni")
     exact = upper is not None and upper == lower  # nothing is tolerated: sizes alone are stated, and no grade
-    angle, helix, cutter = (gear.value(code) for code in ("pressure_angle", "helix_angle", "cutter_teeth"))
-    hand = Message("right") if (helix or 0) > 0 else Message("left")
+    angle, helix, width, cutter = map(gear.value, ("pressure_angle", "helix_angle", "width", "cutter_teeth"))
+    hands = [Message("right"), Message("left")][:: 1 if (helix or 0) > 0 else -1]
+    lean = [] if helix is None else [f"{abs(helix):g}° {hand}" for hand in hands]
+    helices = [(Message("helix angle, hand"), lean[0])] if lean else []
+    if double:
+        helices = [(Message("helix of the lower half"), lean[0]), (Message("helix of the upper half"), lean[1])]
     rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
     apart, deviation = rounded(stage.centre_distance, 4), stage.distance_deviation
     pins, gauge = Message("over balls, mm") if helix else Message("over pins, mm"), gauge_in(gear)
@@ -106,7 +125,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
         (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
         (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
         (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), ", ".join(filter(None, rack))),
-        (Message("helix angle, hand"), "" if helix is None else f"{abs(helix):g}° {hand}"),
+        *helices,
         (Message("lead"), mm("lead")),
         (Message("reference diameter d"), mm("reference_diameter")),
         (Message("profile shift x"), plain("profile_shift")),
@@ -123,7 +142,7 @@ def gear_rows(gear: Figures, mates: Sequence[str], stage: Stage, *, drives: bool
             if cutter
             else Message("arc"),
         ),
-        (Message("face width"), mm("width")),
+        (Message("face width"), f"2 × {rounded(width / 2)} mm" if double and width else mm("width")),
         (Message("grade, ISO 1328-1"), "" if grade is None or exact else str(grade)),
         (Message("centre distance, mm"), f"{apart} ± {deviation:.4f}" if deviation else apart),
         (Message("meshes with"), mates[0]),
@@ -223,6 +242,8 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
         every = dict.fromkeys(name for column in columns for name in column)
         rows = (("", *names), *((name, *(column.get(name, "-") for column in columns)) for name in every))
     title_of_table = names[0] if len(names) == 1 else Message("gears")
+    if len(names) == 1 and _is_carrier(gear.part.gears[0]):
+        title_of_table = Message("carrier")
 
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
@@ -354,6 +375,11 @@ def _names(part: TrainPart) -> tuple[Message, ...]:
     return (Message("gear"),) if len(part.gears) == 1 else (Message("lower gear"), Message("upper gear"))
 
 
+def _is_carrier(wheel: Wheel) -> bool:
+    """Whether a wheel has holes for the pins of planets in place of teeth."""
+    return bool(getattr(wheel, "holes", ()))
+
+
 def _reach(body: Body) -> float:
     return max(loop.radii[1] for slab in body.slabs for loop in slab.rings)
 
@@ -421,12 +447,23 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             ),
         ]
         curves.append(ring(circle, LineKind.CENTRE))
+        dimensions += _apart(centres, reach + 0.8 * gap, exact=bool(gear.pins))
     screw = ScrewHole.of(blank, part.body.radial_hole, gear.fit.thread)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
-    labels = (Label(text=Message("from above"), at=(0.0, -reach - gap), height=3.5), *letters)
+    words = Message("from above")
+    aside = 0.0
+    if isinstance(blank.key, Keyway):  # clear of the leader that comes down from the keyway
+        leader = blank.bore_diameter / 2 + blank.key.depth + 0.7 * gap
+        aside = min(0.0, leader - (2.0 + 3.5 * width_of(words) / 2) / scale)
+    labels = (Label(text=words, at=(aside, -reach - gap), height=3.5), *letters)
     room = Room(curves, scale)
     placed = room.dimensions(dimensions, labels)
+    for each in placed:
+        if isinstance(each, AngularDimension):  # its extension lines
+            for angle in np.radians([each.start, each.end]):
+                along = (each.radius + 1.5 / scale) * np.array([np.cos(angle), np.sin(angle)])
+                curves.append(Stroke(np.array([[0.0, 0.0], along]), LineKind.CENTRE))
     bores = [each for each in placed if isinstance(each, DiameterDimension) and each.name == "bore"]
     symbols: list[Symbol] = [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
     wide = next((each for each in placed if isinstance(each, LinearDimension) and each.name == "keyway width"), None)
@@ -460,6 +497,23 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         labels=labels,
         symbols=tuple(symbols),
     )
+
+
+def _apart(centres: Sequence[complex], radius: float, *, exact: bool) -> Iterator[AngularDimension]:
+    """Angles from each pin's hole of a carrier to the next, but from the last, where they are not equal.
+
+    Args:
+        centres: centres of the holes, mm.
+        radius: radius of the first dimension line, mm.
+        exact: whether they are theoretically exact.
+    """
+    angles = sorted(round(degrees(phase(centre)), 9) % 360.0 for centre in centres)  # 0 is not just under 360
+    if len(centres) < 2 or all(abs(end - start - 360.0 / len(angles)) < 1e-6 for start, end in pairwise(angles)):
+        return
+    for number, (start, end) in enumerate(pairwise(angles), 1):
+        yield AngularDimension(
+            name=f"pins {number} and {number + 1}", centre=(0.0, 0.0), start=start, end=end, radius=radius, exact=exact
+        )
 
 
 def _leftward(tips: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Array]]:
@@ -673,16 +727,17 @@ def _notes(gear: GearPart) -> Iterator[str]:
     blank = gear.part.blank
     if screw := ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread):
         yield from gear.fit.thread_note(drawn=bool(screw.thread))
-    if isinstance(blank.key, Keyway):
+    toothed = not all(map(_is_carrier, gear.part.gears))
+    if isinstance(blank.key, Keyway) and toothed:
         yield Message("A tooth of each gear stands on the axis of the keyway.")
-    elif isinstance(blank.key, Flats):
+    elif isinstance(blank.key, Flats) and toothed:
         shape = Message("hexagon") if blank.key.count == 6 else Message("square")
         yield Message(
             "Bore: {shape}, {across:g} across flats. A tooth of each gear stands over the middle of a flat.",
             shape=shape,
             across=blank.bore_diameter,
         )
-    elif blank.key:
+    elif blank.key and toothed:
         yield Message("A tooth of each gear stands over the middle of the flat.")
     drilled = _drilled(gear.part)
     if drilled and gear.part.gears[-1].tip_diameter > gear.part.gears[0].tip_diameter:
@@ -693,7 +748,11 @@ def _notes(gear: GearPart) -> Iterator[str]:
             size=size,
             circle=circle,
         )
-    if blank.bore_diameter:
+    if any(map(_is_carrier, gear.part.gears)):
+        yield Message("Fit of the pins: not stated; choose it with the pins.")
+    if blank.bore_diameter and gear.part.beside and not gear.fit.bore:
+        yield Message("Fit of the bore: not stated; choose it with the pin.")
+    elif blank.bore_diameter:
         yield from gear.fit.notes(blank)
     elif not is_ring(gear.part.gears[0]):
         yield Message("No bore: the design states none.")
@@ -766,7 +825,7 @@ def plate_drawing(
     _, height = SIZES[size]
     place = (
         LEFT + 24.0 - scale * left,
-        EDGE + TITLE_SIZE[1] + 6.0 + (height - 2 * EDGE - TITLE_SIZE[1] - scale * (high - low)) / 2 - scale * low,
+        EDGE + TITLE_SIZE[1] + 2.0 + (height - 2 * EDGE - TITLE_SIZE[1] - scale * (high - low)) / 2 - scale * low,
     )
     curves: list[Closed | Stroke] = [Closed(plate.outline)]
     tips = [ring(2 * axis.reach, LineKind.PHANTOM, (axis.x, axis.y)) for axis in axes]

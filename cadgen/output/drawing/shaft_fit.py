@@ -131,6 +131,8 @@ class ShaftFit:
             yield Message("Fit of the bore: not stated; choose it with the shaft.")
         if isinstance(key, Keyway) and not self.key_class(key.width) and not self.clearance:
             yield Message("Fit of the keyway: not stated; choose it with the key.")
+        if isinstance(key, DFlat) and not self.flat_class and not self.clearance:
+            yield Message("Fit across the flat: not stated; choose it with the shaft.")
         if self.clearance:
             part = Message("key") if self.joint == ShaftJoint.KEYED else Message("D-shaft")
             least, most = self.clearance
