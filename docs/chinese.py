@@ -23,7 +23,9 @@ _NUMBER = re.compile(r"(?<![A-Za-z0-9_.])\d+(?:\.\d+)?(?![A-Za-z0-9_])")
 _LINK = re.compile(rf"(?<!!)\[(?P<text>(?:`[^`]*`|[^]])*)\]\((?P<place>[^)#:]+)(?P<anchor>#[^)]*)?\)(?P<mark>{_MARK})?")
 _OTHER = ("[English](", "[中文](")  # the line below the title, which leads to the other language
 # Written in Chinese and no translations: lists of what is there in Chinese, whose links alone are looked after.
-_LISTS = {HERE / "index.md", HERE / "theory" / "index.md", HERE.parent / "README.md"}
+_LISTS = {HERE / "index.md", HERE / "theory" / "index.md"}
+# Its commands have Chinese names of designs and words; a test of its own holds their verbs.
+_CHINESE_CODE = HERE.parent / "README.md"
 # `cadgen explain` reads it, and tests of its own hold it to the English one.
 _GLOSSARY = "glossary"
 _PARTS = ("headings", "rows", "code", "links", "numbers")
@@ -63,7 +65,7 @@ def differences(english: Path, chinese: Path) -> list[str]:
     if english in _LISTS:
         return found
     for part, there, here in zip_longest(_PARTS, _shared(one), _shared(other)):
-        if there != here:
+        if there != here and not (part == "code" and english == _CHINESE_CODE):
             lacking, more = sorted(set(there) - set(here)), sorted(set(here) - set(there))
             found.append(
                 f"{chinese.name}: {part}: lacks {lacking}, has {more}" + ("" if lacking or more else ", moved")
