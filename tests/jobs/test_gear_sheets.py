@@ -7,6 +7,7 @@ import shapely
 from cadgen.design.load import train_of
 from cadgen.gears.rack import RackForm
 from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs, tip_tolerance
+from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.output.drawing.sheet import (
@@ -207,6 +208,34 @@ def test_a_double_helical_gear_has_both_hands_in_its_table(tmp_path) -> None:
     assert (pinion["helix of the lower half"], pinion["helix of the upper half"]) == ("25° right", "25° left")
     assert pinion["face width"] == "2 × 4 mm"
     assert "helix angle, hand" not in pinion
+
+
+@pytest.mark.parametrize("hand", ["right", "left"])
+def test_the_teeth_of_a_helical_rack_lean_on_its_sheet_as_in_its_mesh(hand, tmp_path) -> None:
+    """Seen on its teeth, with the upper face below: the ends of the tips are those of the mesh, less a shift."""
+    text = RACK.replace("module_mm = 1.0", "module_mm = 1.0\nhelix_angle_deg = 15.0")
+    text = text.replace('kind = "rack"', f'kind = "rack"\nhand = "{hand}"')
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_rack"))
+    rows = dict(sheet.tables[0].rows)
+    assert rows["transverse pitch"] == f"{np.pi / np.cos(np.radians(15.0)):.4f} mm"
+    assert rows["helix angle, hand"] == f"15° {'left' if hand == 'right' else 'right'}"
+    view = sheet.views[2]
+    lines = np.array(
+        [each.points for each in view.curves if isinstance(each, Stroke) and each.line == LineKind.VISIBLE]
+    )
+    across = lines[np.ptp(lines[:, :, 1], axis=1) > 1.0]
+    (part,) = (each for each in plan.layout.parts if each.name == "2_rack")
+    corners = body_mesh(part.body, 1e-3).vertices
+    tips = corners[corners[:, 1] > corners[:, 1].max() - 1e-6]
+    for height, end in ((0.0, across[:, 1]), (8.0, across[:, 0])):
+        at = np.unique(np.round(tips[abs(tips[:, 2] - height) < 1e-6, 0], 6))
+        assert np.unique(np.round(end[2:, 0], 6)) - across[0, 0, 0] == pytest.approx(
+            at - corners[abs(corners[:, 2] - 8.0) < 1e-6, 0].min(), abs=1e-5
+        )
+        assert end[:, 1] == pytest.approx(-height)  # the first angle of projection
+    (angle,) = view.dimensions
+    assert angle.end - angle.start == pytest.approx(15.0)
 
 
 def test_a_plate_keeps_its_dimensions_within_the_frame(sheets) -> None:

@@ -112,6 +112,8 @@ def gear_rows(
     upper, lower = gear.value("E_sns"), gear.value("E_sni")
     exact = upper is not None and upper == lower  # nothing is tolerated: sizes alone are stated, and no grade
     angle, helix, width, cutter = map(gear.value, ("pressure_angle", "helix_angle", "width", "cutter_teeth"))
+    length, teeth = gear.value("length"), gear.value("teeth")
+    pitch = f"{rounded(length / teeth, 4)} mm" if length and teeth else ""  # of a rack
     hands = [Message("right"), Message("left")][:: 1 if (helix or 0) > 0 else -1]
     lean = [] if helix is None else [f"{abs(helix):g}° {hand}" for hand in hands]
     helices = [(Message("helix angle, hand"), lean[0])] if lean else []
@@ -125,6 +127,7 @@ def gear_rows(
         (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
         (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
         (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), ", ".join(filter(None, rack))),
+        (Message("transverse pitch") if helix else Message("pitch"), pitch),
         *helices,
         (Message("lead"), mm("lead")),
         (Message("reference diameter d"), mm("reference_diameter")),
@@ -170,6 +173,7 @@ def gear_rows(
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
 _ON_LINE, _LEADER = 3.6, 7.0  # mm on paper along an extension line to a leader, and length of the leader
 _SAME = 0.01  # mm, within which an outline has the tip circle of a gear
+_UNDER = 40.0  # mm on paper from the back of a rack to the view on its teeth
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
 _TABLE = {1: (42.0, 42.0), 2: (37.0, 30.0, 30.0)}  # widths of the columns by the number of gears, mm
 
@@ -295,9 +299,12 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     def holds(size: str) -> bool:
         return columns_of(size)[1].height >= 0.0 and have_room(notes, columns_of(size))
 
-    beside = (table_width + 74.0, TITLE_SIZE[1] + 40.0)
-    size, scale = chosen_sheet((length + width, tip - back), beside, 1.0, 5.0, holds)
+    # Teeth that lean are seen from over them, too, below the face.
+    leans, below = bool(rack.helix_angle), (width, _UNDER) if rack.helix_angle else (0.0, 0.0)
+    beside = (table_width + 74.0, TITLE_SIZE[1] + 40.0 + below[1])
+    size, scale = chosen_sheet((length + width, tip - back + below[0]), beside, 1.0, 5.0, holds)
     gap, middle = _GAP / scale, EDGE + TITLE_SIZE[1] + (SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]) / 2
+    middle += (scale * below[0] + below[1]) / 2
     face_at, side_at = (LEFT + 20.0, middle), (LEFT + 50.0 + scale * length, middle)
     line = np.array([[-0.5 * gap, 0.0], [length + 0.5 * gap, 0.0]])
     teeth: tuple[Closed | Stroke, ...] = (_outline(rack.outline),)
@@ -359,15 +366,41 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
                 DatumFeature(letter="A", foot=(-0.45 * gap, back), angle=270.0),
             ),
         )
+    over = (_over_teeth(rack, (face_at[0], middle + scale * back - below[1]), scale),) if leans else ()
     return DrawingSheet(
         size=size,
         scale=scale,
         title=title,
-        views=(face, side),
+        views=(face, side, *over),
         tables=(table_of(size),),
         notes=notes,
         columns=columns_of(size),
     )
+
+
+def _over_teeth(rack: RackForm, place: tuple[float, float], scale: float) -> View:
+    """A helical rack seen on its teeth: tips, slanted ends and their angle.
+
+    Its upper face is that of the view from above, and lies farthest from it in the first angle of projection.
+
+    Args:
+        rack: helical rack.
+        place: place of the view on the paper, mm.
+        scale: mm on paper for a mm of the part.
+    """
+    slope = rack.width * rack.outline.run.lean  # shift of the upper face along the bar against the lower one
+    near, far = -rack.width, 0.0
+    ends = [(x, x - slope) for x in (0.0, rack.length)]
+    for _, _, left, right, _, _ in rack.corners():
+        ends += [(tip.real, tip.real - slope) for tip in (left, right)]
+    curves = [Stroke(np.array([[x, near], [leaning, far]])) for x, leaning in ends]
+    curves += [Stroke(np.array([[x, y], [x + rack.length, y]])) for x, y in ((0.0, near), (-slope, far))]
+    radius, turned = rack.width + _LEADER / scale, 90.0 + degrees(atan2(slope, rack.width))
+    curves.append(Stroke(np.array([[0.0, near], [0.0, near + radius + 2.0 / scale]]), LineKind.CENTRE))
+    start, end = sorted((90.0, turned))
+    lean = AngularDimension(name="helix angle", centre=(0.0, near), start=start, end=end, radius=radius)
+    words = Label(text=Message("on the teeth"), at=(rack.length / 2, near - _GAP / scale), height=3.5)
+    return View(place=place, curves=tuple(curves), dimensions=(lean,), labels=(words,))
 
 
 def _names(part: TrainPart) -> tuple[Message, ...]:
