@@ -8,7 +8,7 @@ from cadgen.messages import Message
 _PLAIN = re.compile(r"[^\W_][\w.-]*")  # letters of any script
 _LONGEST = 64  # letters; of three bytes each in a file system, with the ending, some 200 of the 255 that it allows
 # What Windows keeps for devices, in capitals or not, with whatever follows a first dot.
-_DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9]|lpt[0-9])(\..*)?", re.IGNORECASE)
+_DEVICES = re.compile(r"(con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³])(\..*)?", re.IGNORECASE)
 
 
 def name_fault(name: str) -> str:

@@ -244,7 +244,7 @@ def test_arguments_are_bounded_as_the_keys_of_the_design_file(argument):
 
 
 def test_names_that_windows_cannot_have():
-    for name in ("con", "PRN", "Aux.1", "nul.step", "COM0", "lpt9.x", "car.", "a..", "", ".a", "a/b", "a" * 65):
+    for name in ("con", "PRN", "Aux.1", "nul.step", "COM0", "LPT³", "lpt9.x", "car.", "a..", "", ".a", "a/b", "a" * 65):
         assert name_fault(name)
         assert not name_fault(usable_name(name))
     for name in ("console", "com", "com10", "a.con", "1", "car.v2"):

@@ -400,6 +400,18 @@ def test_the_readme_of_the_distribution_leads_to_the_repository_or_nowhere() -> 
     assert all(place.endswith((".svg", ".png")) for place in pictures)
 
 
+def test_the_container_takes_along_what_the_distribution_is_built_of() -> None:
+    """And no more: an environment that lies in the folder is a gigabyte."""
+    recipe = next(block.text for block in blocks(DOCS / "how-to/elsewhere.md") if block.text.startswith("FROM"))
+    copied = {name for line in recipe.splitlines() if line.startswith("COPY ") for name in line.split()[1:-1]}
+    assert all((ROOT / name).exists() for name in copied)
+    told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    wheel = told["tool"]["hatch"]["build"]["targets"]["wheel"]
+    needed = {"pyproject.toml", "hatch_build.py", "README.md", *wheel["packages"], *wheel["force-include"]}
+    needed |= {name for name in told["project"]["license-files"] if not name.startswith("cadgen/")}
+    assert copied == needed
+
+
 def test_the_readme_is_one_screen_of_short_sentences() -> None:
     text = (ROOT / "README.md").read_text(encoding="utf-8")
     assert len(text.split()) <= 500
