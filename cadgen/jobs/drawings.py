@@ -34,7 +34,7 @@ from cadgen.jobs.cam.cam_plan import CamPlan, Groove
 from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
-from cadgen.output.drawing.cam_sheet import EVERY, CamPart, SheetGroove, cam_drawing
+from cadgen.output.drawing.cam_sheet import EVERY, CamPart, Neighbour, SheetGroove, cam_drawing
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
 from cadgen.output.drawing.shaft_fit import fillet, hole_class, limits
@@ -168,8 +168,14 @@ _ACROSS_AT = _DENSE * 215 // 360  # angle at which the width of a groove is dime
 _STEP = 5  # degrees between its readings
 
 
-def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
-    """Sheet of a cam; it names the files of the folder that hold the same cam."""
+def sheet_of(plan: CamPlan, folder: Folder, other: CamPlan | None = None) -> DrawingSheet:
+    """Sheet of a cam; it names the files of the folder that hold the same cam.
+
+    Args:
+        plan: cam, or a disc of a conjugate pair.
+        folder: folder with the files.
+        other: other disc of the pair; None for one disc.
+    """
     making, use = plan.making, plan.application
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
@@ -209,11 +215,23 @@ def sheet_of(plan: CamPlan, folder: Folder) -> DrawingSheet:
         groove=None if plan.groove is None else _groove(plan, plan.groove, angles),
         rim_texture=(making.title and making.title.rim_finish) or "",
         bore_texture=(making.title and making.title.bore_finish) or "",
+        neighbour=None if other is None else _neighbour(plan, other),
     )
     noun = Message("second {cam}", cam=Message(use.noun)) if plan.part else Message(use.noun)
     name = Message("{cam}, {kind} profile", cam=noun, kind=Message(str(plan.kind)))
     title = title_of(plan.origin, making.title, name, making.ordered, plan.stem, folder)
     return cam_drawing(part, replace(title, verdict=_verdict(plan), edge=_EDGES[-1][1]))
+
+
+def _neighbour(plan: CamPlan, other: CamPlan) -> Neighbour | None:
+    """Other disc of a conjugate pair, the second one behind the first; None where their distance is not stated."""
+    gap = plan.application.disc_gap
+    if gap is None:
+        return None
+    radii = other.curve.radius(np.linspace(0.0, TURN, _DENSE, endpoint=False))
+    word = Message("second disc") if other.part else Message("first disc")
+    side = 1 if plan.part else -1
+    return Neighbour(word=word, radius=float(radii.max()), gap=gap, thickness=other.thickness, side=side)
 
 
 def _half_width(deviation: float) -> str:
@@ -257,7 +275,9 @@ def _sizes(keys: Any) -> Iterator[Message]:
         if value is None:
             continue
         name = Message(without_unit(key).replace("_", " "))
-        if is_dataclass(value):
+        if key == "lifts":
+            yield Message("arm lifts {way}", way=Message(value.words))
+        elif is_dataclass(value):
             yield Message("{name}: {parts}", name=name, parts=joined(tuple(_sizes(value)), ", "))
         elif isinstance(value, float | int):
             unit = unit_of(key)
@@ -597,7 +617,9 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     omitted: dict[str, str] = {}
 
     def files(staging: Path) -> Iterator[Artifact]:
-        sheets = [] if parts.cam is None else [(disc.stem, sheet_of(disc, folder)) for disc in parts.cam.discs]
+        discs = () if parts.cam is None else parts.cam.discs
+        others = discs[::-1] if len(discs) > 1 else (None,) * len(discs)
+        sheets = [(disc.stem, sheet_of(disc, folder, other)) for disc, other in zip(discs, others, strict=True)]
         for stem, sheet in chain(sheets, () if parts.train is None else sheets_of(parts.train, folder)):
             progress(Message("drawing {stem}", stem=stem))
             yield from write_sheet(staging, stem, sheet, omitted)

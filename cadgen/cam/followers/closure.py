@@ -39,6 +39,7 @@ class SecondOnSlide:
     radius_mm: Annotated[float, Ge(0.05), Le(500), "of the second roller"]
     span_mm: Annotated[float, Gt(0), Le(2000), "between the centres of both rollers, along the slide"]
     offset_mm: Annotated[float, Ge(-500), Le(500), "of its line, to the same side as the first one's"] = 0.0
+    gap_mm: Annotated[float | None, Gt(0), Le(500), "between the facing sides of both discs, for the sheets"] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,6 +49,7 @@ class SecondOnArm:
     radius_mm: Annotated[float, Ge(0.05), Le(500), "of the second roller"]
     arm_mm: Annotated[float, Gt(0), Le(2000), "from the pivot to the second roller's centre"]
     angle_deg: Annotated[float, Gt(0), Le(360), "between both arms, which have the camshaft between them"]
+    gap_mm: Annotated[float | None, Gt(0), Le(500), "between the facing sides of both discs, for the sheets"] = None
 
 
 def refuse_groove(clearance: float, radius: float, depth: float, faces: tuple[float, float]) -> None:

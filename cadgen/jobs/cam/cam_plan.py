@@ -123,6 +123,11 @@ class Application:
         return 0.0
 
     @property
+    def disc_gap(self) -> float | None:
+        """Distance of the facing sides of both discs of a conjugate pair, mm; None for one disc, or if not stated."""
+        return None
+
+    @property
     def edge_tolerance(self) -> float:
         """Half width of the tolerance of the leg of broken edges, mm; 0 for the general one."""
         return 0.0

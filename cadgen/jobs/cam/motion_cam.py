@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import IntEnum, StrEnum
 from functools import reduce
 from math import ceil, degrees, floor, radians
+from typing import Any
 
 import numpy as np
 
@@ -77,7 +78,22 @@ class MotionUse(Application):
 
     def open_keys(self) -> dict[str, tuple[str, object]]:
         """Tolerance of the outline."""
-        return {"tolerance of the outline": ("lift_tolerances.base_circle_um", self.profile_tolerance)}
+        found: dict[str, tuple[str, object]] = {
+            "tolerance of the outline": ("lift_tolerances.base_circle_um", self.profile_tolerance)
+        }
+        if self._second is not None:
+            found[Message("distance of the discs")] = ("follower.second.gap_mm", self.disc_gap)
+        return found
+
+    @property
+    def _second(self) -> Any:
+        """Keys of the second roller; None without one."""
+        return getattr(self.design.follower.keys, "second", None)
+
+    @property
+    def disc_gap(self) -> float | None:
+        """Distance of the facing sides of both discs of a conjugate pair, mm."""
+        return None if self._second is None else self._second.gap_mm
 
     @property
     def base_radius(self) -> float:
@@ -420,6 +436,13 @@ def _planned(design: MotionDesign, profile: str | None, progress: Progress) -> C
     first = _disc(design, kind, motion, registered.follower(keys, design.seat), progress)
     if counter is None:
         return first
+    gap, hub = keys.second.gap_mm, first.made_blank.hub
+    if gap is not None and hub is not None and hub.length > gap:
+        raise DesignError(
+            "follower.second.gap_mm is {gap:g}; a hub of {hub:g} mm stands between the discs: give {hub:g} or more",
+            gap=gap,
+            hub=hub.length,
+        )
     second = replace(_disc(design, kind, OppositeMotion.of(motion), counter, progress), part=SECOND)
     checks = (
         replace(

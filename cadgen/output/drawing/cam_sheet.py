@@ -103,6 +103,30 @@ class SheetGroove:
     depth: float
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Neighbour:
+    """Other disc of a conjugate pair, beside this one on the shaft.
+
+    Attributes:
+        word: what it is, for people.
+        radius: its greatest radius, mm.
+        gap: distance of its nearer face, mm.
+        thickness: its thickness, mm.
+        side: 1 on the side of the face that is seen, -1 on the other.
+    """
+
+    word: str
+    radius: float
+    gap: float
+    thickness: float
+    side: int
+
+    @property
+    def room(self) -> float:
+        """What it takes of the shaft beside this disc, mm."""
+        return self.gap + self.thickness
+
+
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class CamPart:
     """A cam, for its sheet.
@@ -132,6 +156,7 @@ class CamPart:
         groove: groove of which the outline is the inner flank; None for a disc whose rim is the outline.
         rim_texture: texture of the rim, or of the flanks of the groove; empty where it is that of the title block.
         bore_texture: texture of the bore, likewise.
+        neighbour: other disc of a conjugate pair; None where it is not at a stated distance.
     """
 
     profile: Contour
@@ -158,6 +183,7 @@ class CamPart:
     groove: SheetGroove | None = None
     rim_texture: str = ""
     bore_texture: str = ""
+    neighbour: Neighbour | None = None
 
     @property
     def reach(self) -> float:
@@ -168,7 +194,7 @@ class CamPart:
 def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     """Sheet A4, or A3 where the cam is larger than A4 shows at 1:1."""
     across, hub, timing = 2 * cam.reach, cam.blank.hub, cam.timing
-    axial = cam.thickness + (hub.length if hub else 0.0)
+    axial = cam.thickness + (hub.length if hub else 0.0) + (cam.neighbour.room if cam.neighbour else 0.0)
     notes = tuple(_notes(cam))
 
     def tables_of(size: str) -> tuple[SheetTable, ...]:
@@ -209,6 +235,8 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     least = EDGE + title.height + 18.0 + letters + scale * across / 2
     face_at = (LEFT + before + scale * across / 2, max(least, height / 2 + 5.0))
     below = hub.length if hub and hub.side == Face.INNER else 0.0
+    if cam.neighbour and cam.neighbour.side < 0:
+        below = cam.neighbour.room
     section_at = (face_at[0] + scale * (across / 2 + below) + between, face_at[1])
     return DrawingSheet(
         size=size,
@@ -549,12 +577,24 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     top = max(area.bounds[3] for area in areas)
     low = min(area.bounds[0] for area in areas)
     high = max(area.bounds[2] for area in areas)
+    over, beside = top, tuple[Label, ...]()
+    if other := cam.neighbour:
+        face = thickness if other.side > 0 else 0.0
+        near, far = face + other.side * other.gap, face + other.side * other.room
+        low, high, over = min(low, far), max(high, far), max(top, other.radius)
+        strokes.append(_phantom(near, far, other.radius))
+        beside = (Label(text=other.word, at=((near + far) / 2, -other.radius - 3.5 / scale)),)
     axis = Stroke(np.array([[low - 0.5 * gap, 0.0], [high + 0.5 * gap, 0.0]]), LineKind.CENTRE)
-    thick = replace(along_axis("thickness", (0.0, thickness), top, top + 0.8 * gap), suffix=cam.thickness_limits)
+    thick = replace(along_axis("thickness", (0.0, thickness), top, over + 0.8 * gap), suffix=cam.thickness_limits)
     long = TEXT * WIDEST * len(rounded(thickness) + thick.suffix)
     if cam.thickness_limits and scale * thickness < long + 2.0:
         thick = replace(thick, beside=scale * thickness / 2 + max(TAIL, 1.0) + long / 2 + 1.0)
     dimensions: list[Dimension] = [thick]
+    if other:
+        apart = along_axis("gap between the discs", (min(near, face), max(near, face)), top, over + 1.7 * gap)
+        room = TEXT * WIDEST * len(rounded(other.gap))
+        narrow = scale * other.gap < room + 6.0
+        dimensions.append(replace(apart, beside=scale * other.gap / 2 + TAIL + room / 2 + 1.0 if narrow else 0.0))
     if leg := blank.edge_break:
         said = f" × 45°{cam.edge_limits}"
         dimensions.append(
@@ -562,7 +602,7 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
                 name="edge break",
                 start=(thickness - leg, top),
                 end=(thickness, top),
-                at=(thickness, top + 2.4 * gap),
+                at=(thickness, over + 2.5 * gap),
                 prefix="2 × ",
                 suffix=said,
                 beside=TAIL + TEXT * WIDEST * len(f"2 × {rounded(leg)}{said}") / 2 + 1.0,
@@ -573,7 +613,7 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         dimensions.append(along_axis("groove depth", (floor, thickness), bottom, bottom - 0.8 * gap))
     if isinstance(blank.key, Keyway):
         side = boss.high if boss else thickness
-        at = max(side, thickness) + gap
+        at = max(side, high if other else thickness) + gap
         dimensions.append(bore_and_keyway(blank, f" +{deeper(blank.key.width):g}/0", side, at, scale))
     if boss:
         outer, half = boss.high > thickness, boss.diameter / 2
@@ -587,13 +627,15 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     if boss and screw:
         face, side = (thickness, 1.0) if boss.high > thickness else (0.0, -1.0)
         dimensions.append(screw.height(face, (face + side, -boss.diameter / 2 - 0.8 * gap), scale, beside=side))
-    middle, under = (low + high) / 2, -cam.reach - (2.0 if cam.groove else 1.1) * gap
+    deepest = max(cam.reach, other.radius + 6.0 / scale) if other else cam.reach
+    middle, under = (low + high) / 2, -deepest - (2.0 if cam.groove else 1.1) * gap
     symbols = _taper_symbols(cam, areas, scale) if cam.taper else ()
     if symbols:
         under -= _FRAMED / scale
     labels = (
         Label(text=section_name(angle), at=(middle, under), height=3.5),
         Label(text=Message("{face} on the right", face=cam.face), at=(middle, under - 5.0 / scale)),
+        *beside,
     )
     return View(
         place=place,
@@ -603,6 +645,18 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
         labels=labels,
         symbols=symbols,
     )
+
+
+def _phantom(near: float, far: float, radius: float) -> Stroke:
+    """Outline of an adjacent part in a section (ISO 128).
+
+    Args:
+        near: height of its nearer face, mm.
+        far: height of its other face, mm.
+        radius: its radius, mm.
+    """
+    corners = [[near, -radius], [far, -radius], [far, radius], [near, radius], [near, -radius]]
+    return Stroke(np.array(corners), LineKind.PHANTOM)
 
 
 def _taper_symbols(cam: CamPart, areas: Sequence[shapely.Polygon], scale: float) -> tuple[DatumFeature, ToleranceFrame]:

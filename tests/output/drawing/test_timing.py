@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 import pytest
 
-from cadgen import Design
+from cadgen import Design, DesignError
 from cadgen.jobs.drawings import Folder, sheet_of
 from cadgen.laws.table import codes, law_of
 from cadgen.messages import LANGUAGES, Message
@@ -176,3 +176,34 @@ def test_a_motion_without_segments_has_its_curve_alone(tmp_path):
     assert not [table for table in sheet.tables if str(table.title).startswith("segments")]
     x, y = diagram(sheet).curves[0].points.T
     np.testing.assert_allclose(y / y.max(), (1 - np.cos(2 * pi * x / x.max())) / 2, atol=1e-9)
+
+
+@pytest.mark.slow
+def test_both_sheets_of_a_conjugate_pair_have_the_distance_of_the_discs(tmp_path):
+    """The other disc stands dash-dotted beside this one, as far off as its key says, and as large as it is."""
+    first, second = Design.load("conjugate_pair").cam().computed.discs
+    assert first.application.design.follower.keys.second.gap_mm == 12.0
+    for disc, other, side in ((first, second, -1), (second, first, 1)):
+        section = sheet_of(disc, Folder.at(tmp_path), other).views[1]
+        (gap,) = [each for each in section.dimensions if each.name == "gap between the discs"]
+        (beside,) = [each for each in section.curves if getattr(each, "line", None) is LineKind.PHANTOM]
+        near, far = sorted(beside.points[:2, 0], key=abs) if side < 0 else sorted(beside.points[:2, 0])
+        face = disc.thickness if side > 0 else 0.0
+        assert [gap.end[0] - gap.start[0], side * (near - face), side * (far - near)] == pytest.approx(
+            [12.0, 12.0, 10.0]
+        )
+        assert beside.points[:, 1].max() == pytest.approx(
+            other.curve.radius(np.linspace(0, 2 * pi, 3600)).max(), abs=1e-3
+        )
+    assert not any(each.name.startswith("gap") for each in sheets("conjugate_pair", tmp_path)[0].views[1].dimensions)
+
+
+@pytest.mark.slow
+def test_a_distance_of_discs_that_their_hub_needs_is_refused_and_a_missing_one_is_named():
+    hub = {"blank.hub": {"side": "outer", "diameter_mm": 26.0, "length_mm": 15.0}}
+    with pytest.raises(DesignError, match="gap_mm is 12; a hub of 15 mm stands between the discs: give 15 or more"):
+        Design.load("conjugate_pair").with_(hub).cam()
+    assert Design.load("conjugate_pair").with_(hub | {"follower.second.gap_mm": 15.0}).cam()
+    plain = Design.load("conjugate_pair", ["follower.second.gap_mm="]).cam().computed
+    missing = [key for key, value in plain.application.open_keys().values() if not value]
+    assert missing == ["follower.second.gap_mm"]
