@@ -215,8 +215,10 @@ def test_a_material_of_the_drawing_alone_makes_no_rod_rub():
     assert band() is None
     making = Making.of(design)
     assert (making.material, making.ordered) == ("aluminium", "aluminium EN AW-6082")
-    unnamed = Making.of(load_design("carbon_free_car", ["drawing.material=EN AW-6082"]))
-    assert (unnamed.material, unnamed.ordered) == (None, "EN AW-6082")
+    graded = Making.of(load_design("carbon_free_car", ["drawing.material=EN AW-6082"]))
+    assert (graded.material, graded.ordered) == ("aluminium", "EN AW-6082")
+    unnamed = Making.of(load_design("carbon_free_car", ["drawing.material=carbon fibre"]))
+    assert (unnamed.material, unnamed.ordered) == (None, "carbon fibre")
     alloy = Making.of(load_design("carbon_free_car", ["blank.material=aluminium"]))
     assert alloy.ordered == "aluminium EN AW-6082"
     plain = Making.of(load_design("carbon_free_car", ["blank.material=aluminium", "drawing.material="]))
