@@ -20,6 +20,7 @@ from cadgen.output.drawing.sheet import (
     FRAME_HEIGHT,
     LEFT,
     ROW,
+    SHORT,
     SHOWN,
     SIZES,
     TAIL,
@@ -57,6 +58,7 @@ from cadgen.output.drawing.sheet import (
     free_end,
     have_room,
     keyway_width,
+    length_of,
     over_title,
     ring,
     rounded,
@@ -123,7 +125,7 @@ class Neighbour:
 
     @property
     def room(self) -> float:
-        """What it takes of the shaft beside this disc, mm."""
+        """Length of the shaft from this disc to its far face, mm."""
         return self.gap + self.thickness
 
 
@@ -386,7 +388,7 @@ def _middle_datum(letter: str, held: LinearDimension, scale: float) -> DatumFeat
     """
     end, out = free_end(held)
     # An arrow that points inwards for want of room has its tail outside.
-    x, y = (end + (TAIL / scale if held.beside else 0.0) * out).tolist()
+    x, y = (end + (TAIL / scale if scale * length_of(held) < SHORT else 0.0) * out).tolist()
     return DatumFeature(letter=letter, foot=(x, y), angle=held.angle + (180.0 if held.beside > 0 else 0.0))
 
 
@@ -476,7 +478,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
             )
         case DFlat(depth=depth, angle=angle):
             radius, c, s = blank.bore_diameter / 2, cos(angle), sin(angle)
-            off = radius + 0.7 * gap
+            off = radius + 1.5 * gap  # under the letter of the bore's axis
             dimensions.append(
                 LinearDimension(
                     name="across the flat",

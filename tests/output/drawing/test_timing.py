@@ -11,9 +11,10 @@ from cadgen import Design, DesignError
 from cadgen.jobs.drawings import Folder, sheet_of
 from cadgen.laws.table import codes, law_of
 from cadgen.messages import LANGUAGES, Message
-from cadgen.output.drawing.sheet import TEXT, LineKind, SheetTable, Stroke, have_room
+from cadgen.output.drawing.sheet import TEXT, DatumFeature, LineKind, SheetTable, Stroke, have_room
 from cadgen.output.drawing.sheet_files import NoFontError, table_widths, text_length
 from cadgen.output.drawing.timing import TimingDiagram
+from tests.jobs.test_gear_sheets import apart, frame_boxes
 from tests.jobs.test_packaged_cams import CAMS
 from tests.output.drawing.table_cells import leaving
 
@@ -207,3 +208,19 @@ def test_a_distance_of_discs_that_their_hub_needs_is_refused_and_a_missing_one_i
     plain = Design.load("conjugate_pair", ["follower.second.gap_mm="]).cam().computed
     missing = [key for key, value in plain.application.open_keys().values() if not value]
     assert missing == ["follower.second.gap_mm"]
+
+
+def test_letters_of_bore_and_flat_keep_apart_and_a_wide_keyway_has_its_letter_at_its_arrow(tmp_path):
+    flat = {"blank.keyway": None, "blank.d_flat": {"across_mm": 13.5}, "blank.bore_diameter_mm": 15.0}
+    sheet = sheet_of(Design.load("swinging_roller").with_(flat).cam().computed, Folder.at(tmp_path))
+    view = sheet.views[0]
+    assert apart(frame_boxes(sheet)) == []
+    (across,) = [each for each in view.dimensions if each.name == "across the flat"]
+    line = sheet.scale * across.at[1] + view.place[1]
+    assert all(box.bounds[1] > line + 1 for box, words in frame_boxes(sheet) if words == ("A",))
+    (sheet,) = sheets("roller", tmp_path)
+    (width,) = [each for each in sheet.views[0].dimensions if each.name == "keyway width"]
+    (letter,) = [each for each in sheet.views[0].symbols if isinstance(each, DatumFeature) and each.letter == "B"]
+    ends = sheet.scale * np.abs(np.array([width.start, width.end]) - letter.foot)
+    tail = 0.0 if sheet.scale * np.hypot(*np.subtract(width.end, width.start)) > 5.6 else 5.0
+    assert ends[:, 1].min() == pytest.approx(tail, abs=1e-6)
