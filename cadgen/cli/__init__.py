@@ -129,6 +129,9 @@ def main() -> NoReturn:
         code = cli.main(prog_name="cadgen", standalone_mode=False)
     except SystemExit as leave:
         code = leave.code
+    except click.MissingParameter as error:
+        said, asked = error.format_message().rstrip("."), error.ctx.command_path if error.ctx else "cadgen"
+        code = _fail(Message("{fault}: {command} --help says what to give", fault=said, command=asked), error.exit_code)
     except click.ClickException as error:
         code = _fail(error.format_message(), error.exit_code)
     except CadgenError as error:

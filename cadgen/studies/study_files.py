@@ -131,7 +131,7 @@ _MOST_JUDGED = 20_000  # designs for the effects of keys
 _NO_PYARROW = "pyarrow is not installed: pip install '.[explore]' in cadgen's folder"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Summary:
     """Summary of a study's results.
 
@@ -146,6 +146,11 @@ class Summary:
     states: dict[DesignState, int]
     front: tuple[Row, ...]
     effects: dict[str, dict[str, float]]
+
+    def __repr__(self) -> str:
+        return (
+            f"<Summary of {self.results.study.file.name}, {self.results.count} designs, {len(self.front)} on the front>"
+        )
 
     @classmethod
     def of(cls, results: Results) -> "Summary":

@@ -227,6 +227,13 @@ def test_the_pages_of_the_glossary_have_the_same_terms_in_the_same_order():
     assert all(re.search("[\u4e00-\u9fff].*。$", term.meaning) for term in chinese)
 
 
+@pytest.mark.parametrize("words", [("pair",), ("--lang", "zh", "new")])
+def test_what_was_left_out_leads_to_the_help_of_the_command(cadgen, words):
+    said = one_sentence(cadgen(*words, code=2))
+    assert f"cadgen {words[-1]} --help" in said
+    assert ("--teeth" in said) == (words[-1] == "pair")
+
+
 def test_every_command_stands_under_one_heading():
     listed = [command.name for commands in cli.sections.values() for command in commands]
     assert sorted(listed) == sorted(cli.commands)
