@@ -25,6 +25,8 @@ from cadgen.design.machining import DrawingText, DrawnTeeth
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
+from cadgen.gears.planetary_stage import Carrier
+from cadgen.gears.rack_stage import Bar
 from cadgen.gears.stage import Mating, Stage, Wheel, is_bar, is_ring, rim_diameter
 from cadgen.gears.tolerances import run_outs, tip_tolerance
 from cadgen.gears.tooth import GearForm
@@ -352,15 +354,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
                 places.append(stated or pair.distance_deviation or 0.0)
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         of_stages = [layout.train.stages[number - 1] for number in gears]
-        bodies = joined(
-            [
-                Message("gear of {teeth} teeth", teeth=gear.teeth)
-                if isinstance(gear, GearForm)
-                else gear.noun.removeprefix("the ")
-                for gear in part.gears
-            ],
-            " and ",
-        )
+        bodies = joined([_kind_of(gear) for gear in part.gears], " and ")
         made = plan.making.shaft(part.shaft, len(layout.on_shafts))
         place = Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft)
         if part.beside:
@@ -406,6 +400,18 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
     thickness = plate.thickness or _usual_thickness(plan)
     yield stem, plate_drawing(plate, thickness, holes, tuple(_plate_notes(plan, thickness, bool(zones))), title, zones)
+
+
+def _kind_of(wheel: Wheel) -> str:
+    """Kind of a wheel with the number of its teeth or planets, for the title of its sheet."""
+    match wheel:
+        case GearForm(teeth=teeth):
+            return Message("gear of {teeth} teeth", teeth=teeth)
+        case Bar(form=form):
+            return Message("rack of {teeth} teeth", teeth=form.teeth)
+        case Carrier(orbits=orbits):
+            return Message("carrier of {count} planets", count=len(orbits))
+    return wheel.noun.removeprefix("the ")
 
 
 def _run_outs(gear: Figures, wheel: Wheel, part: TrainPart, grade: int | None) -> tuple[float, float] | None:

@@ -1,15 +1,20 @@
 """Sheets of small trains: frames, datums and threads in place of sentences, and texts that keep off each other."""
 
+import re
+
 import numpy as np
 import pytest
 import shapely
 
 from cadgen.design.load import train_of
+from cadgen.figures import Figure, Figures
 from cadgen.gears.rack import RackForm
 from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs, tip_tolerance
 from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import plan_gears
+from cadgen.messages import translate
+from cadgen.output.drawing.gear_sheets import gear_rows
 from cadgen.output.drawing.sheet import (
     EDGE,
     FRAME_HEIGHT,
@@ -236,6 +241,17 @@ def test_the_teeth_of_a_helical_rack_lean_on_its_sheet_as_in_its_mesh(hand, tmp_
         assert end[:, 1] == pytest.approx(-height)  # the first angle of projection
     (angle,) = view.dimensions
     assert angle.end - angle.start == pytest.approx(15.0)
+
+
+def test_titles_and_hands_are_in_chinese_too(sheets, tmp_path) -> None:
+    """The title of a carrier or a rack, and the hand of a helix, have no English word left but names of files."""
+    for name, stem in (("planetary", "2_wheel"), ("rack", "2_rack")):
+        title = translate(sheets[name][stem].title.part, "zh")
+        assert not re.search("[A-Za-z]{2}", str(title).partition("：")[2]), title
+    helix = Figures(Figure("teeth", "", 20), Figure("helix_angle", "", -15.0))
+    stage = plan_gears(train_of(RACK, tmp_path / "train.toml")).layout.train.stages[0]
+    rows = {translate(key, "zh"): translate(value, "zh") for key, value in gear_rows(helix, ("",), stage, drives=True)}
+    assert rows["螺旋角，旋向"] == "15° 左旋"
 
 
 def test_a_plate_keeps_its_dimensions_within_the_frame(sheets) -> None:

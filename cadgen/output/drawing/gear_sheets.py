@@ -114,9 +114,10 @@ def gear_rows(
     angle, helix, width, cutter = map(gear.value, ("pressure_angle", "helix_angle", "width", "cutter_teeth"))
     length, teeth = gear.value("length"), gear.value("teeth")
     pitch = f"{rounded(length / teeth, 4)} mm" if length and teeth else ""  # of a rack
-    hands = [Message("right"), Message("left")][:: 1 if (helix or 0) > 0 else -1]
-    lean = [] if helix is None else [f"{abs(helix):g}° {hand}" for hand in hands]
-    helices = [(Message("helix angle, hand"), lean[0])] if lean else []
+    steep = abs(helix or 0.0)
+    lean = [Message("{angle:g}° right", angle=steep), Message("{angle:g}° left", angle=steep)]
+    lean = lean[:: 1 if (helix or 0.0) > 0 else -1]
+    helices = [] if helix is None else [(Message("helix angle, hand"), lean[0])]
     if double:
         helices = [(Message("helix of the lower half"), lean[0]), (Message("helix of the upper half"), lean[1])]
     rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
@@ -480,7 +481,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
             ),
         ]
         curves.append(ring(circle, LineKind.CENTRE))
-        dimensions += _apart(centres, reach + 0.8 * gap, exact=bool(gear.pins))
+        dimensions += _apart(centres, 0.36 * circle, exact=bool(gear.pins))
     screw = ScrewHole.of(blank, part.body.radial_hole, gear.fit.thread)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
