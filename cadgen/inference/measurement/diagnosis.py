@@ -134,7 +134,7 @@ def weigh_parts(
         for name in names:
             progress(Message("{source}: searching without {name}", source=joint.source, name=Message(name)))
             start = not_holding(best.effects, name), best.active
-            for h in find(joint, usual, [start], name, found):
+            for h in find(joint, usual, [start], name, found, found[0].score):
                 known[h.key] = min(h, known.get(h.key, h), key=lambda h: h.score)
         searched |= set(names)
         found = sorted(known.values(), key=lambda h: h.score)

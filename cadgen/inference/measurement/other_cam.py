@@ -99,7 +99,7 @@ def other_cam(
     joint = _against(weighed.joint, replace(other, blend_start=stated.lift.blend_start))
     if weighed.judgement.verdict in SOUND and _nearest(joint, best, best.score) > best.score + NEAR:
         return None
-    found = find(joint, stated.usual)[0]
+    found = find(joint, stated.usual, against=best.score)[0]
     # What was measured of the play apart speaks for a cam as well.
     better = float(best.score + _off(best, stated.play) - found.score - _off(found, other.play))
     better -= SURE * max(sum(e.shape for e in found.effects) - sum(e.shape for e in best.effects), 0)

@@ -184,6 +184,7 @@ def find(
     starts: Sequence[Start] = (),
     without: str | None = None,
     known: Sequence[Hypothesis] = (),
+    against: float = np.inf,
 ) -> list[Hypothesis]:
     """Fit the most likely subsets exactly; best first by score, the empty one always among them.
 
@@ -194,6 +195,7 @@ def find(
         without: name that no subset is to hold.
         known: subsets of these records that are fitted already, the best fit of each; those that hold that name count
             for nothing.
+        against: score to come near. The search ends where nothing promises to.
     """
     core, named = distinguishable(joint), joint.members
     search = _size(joint, core, usual or {})
@@ -206,8 +208,12 @@ def find(
     best = about = min(fitted.values(), key=lambda h: h.score)
     # Members of families are small and many: their tangents at the bare design serve for all rounds.
     families = Families(joint, side_by_side(tangents(joint, named, none), of_shapes(joint)))
-    for _ in range(ROUNDS):
-        _fit_new(joint, _promising(joint, about, core, families, search, fitted), fitted, search)
+    for number in range(ROUNDS):
+        promised, promising = _promising(joint, about, core, families, search, fitted)
+        # What is promised about the first subset says little, since that may be far from all that is there.
+        if number and promised > against + HOPELESS:
+            break
+        _fit_new(joint, promising, fitted, search)
         leader = min(fitted.values(), key=lambda h: h.score)
         if leader is not best:
             best = about = leader
@@ -328,8 +334,8 @@ def _promising(
     families: Families,
     search: Search,
     fitted: Collection[frozenset[str]],
-) -> list[Start]:
-    """The subsets of least linearised score about the best one so far, with estimates to begin from."""
+) -> tuple[float, list[Start]]:
+    """The subsets of least linearised score about the best one so far, with estimates to begin from; and that score."""
     # Members of families that have entered combine freely from now on.
     core = core + tuple(e for e in best.effects if e.member)
     free = tangents(joint, core, best)
@@ -377,7 +383,8 @@ def _promising(
     if companions:
         chosen += [r for r in beside[:NAMED] if r not in chosen]
     starts = [_accompanied(effect, core, beside, best) for effect in companions]
-    return [*starts, *((r.effects, [*datum_start, *activated(r.effects, r.estimate)]) for r in chosen)]
+    starts += [(r.effects, [*datum_start, *activated(r.effects, r.estimate)]) for r in chosen]
+    return rated[0].score, starts
 
 
 def _keyed(rated: Rated) -> frozenset[str]:
