@@ -111,6 +111,8 @@ RIVAL = 5.0
 LOOSE = 16.0
 # An effect beside an unknown shape must be this much more likely than the shape alone.
 BESIDE_UNKNOWN = 40.0
+# A name beside forms without a name must be this much more likely than all subsets without that name.
+BESIDE_SHAPES = 100.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
 # Effects that change it, summed, by so many times that are not looked at together.
@@ -282,8 +284,8 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     common = best.claims & sure
     reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
     anonymous = any(e.shape for e in best.effects)
-    if shapes := shapes_of(best):
-        common = _beside_shapes(common, found, shapes) if _explained(joint, found, best) >= MOST else frozenset()
+    if shapes_of(best):
+        common = _beside_shapes(common, found) if _explained(joint, found, best) >= MOST else frozenset()
     verdict: Verdict
     if not best.effects:
         disagree = any(runs_disagree(part, best) for part in joint.parts)
@@ -318,21 +320,20 @@ def shapes_of(best: Hypothesis) -> int:
     return sum(e.shape or e.name in _of_several_orders(best) for e in best.effects)
 
 
-def _beside_shapes(names: frozenset[str], found: list[Hypothesis], shapes: int) -> frozenset[str]:
+def _beside_shapes(names: frozenset[str], found: list[Hypothesis]) -> frozenset[str]:
     """Names that neither other shapes nor a form error of any size stand for.
 
-    Where something has no name, what a name does may be a part of it: the more shapes that takes, the more likely. So
-    what has no such name must be no rival, by `RIVAL` for each shape.
+    Where something has no name, what a name does may be a part of it. So subsets without that name must be less likely
+    by `BESIDE_SHAPES`.
 
     Args:
         names: to choose from.
         found: the fitted subsets.
-        shapes: how many the best one has.
     """
 
     def needed(name: str) -> bool:
         has = min(h.loose_score for h in found if name in h.holds)
-        return min(h.loose_score for h in found if name not in h.holds) >= has + RIVAL * shapes
+        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_SHAPES
 
     return frozenset(filter(needed, names))
 
