@@ -109,10 +109,9 @@ MARGIN = 2 * log(SURE / (1 - SURE))
 RIVAL = 5.0
 # A form error beyond the floor has two numbers more (size and knee) that nothing in the catalogue explains.
 LOOSE = 16.0
-# An effect beside an unknown shape must be this much more likely than the shape alone.
+# An effect beside an unknown shape must be this much more likely than the shape alone, and a name beside fitted shapes
+# than all subsets without that name.
 BESIDE_UNKNOWN = 40.0
-# A name beside forms without a name must be this much more likely than all subsets without that name.
-BESIDE_SHAPES = 100.0
 # Effects that change the residual by less than this share of the stated form error are part of it.
 LEAST_OF_FLOOR = 0.4
 # Effects that change it, summed, by so many times that are not looked at together.
@@ -324,7 +323,7 @@ def _beside_shapes(names: frozenset[str], found: list[Hypothesis]) -> frozenset[
     """Names that neither other shapes nor a form error of any size stand for.
 
     Where something has no name, what a name does may be a part of it. So subsets without that name must be less likely
-    by `BESIDE_SHAPES`.
+    by `BESIDE_UNKNOWN`.
 
     Args:
         names: to choose from.
@@ -333,7 +332,7 @@ def _beside_shapes(names: frozenset[str], found: list[Hypothesis]) -> frozenset[
 
     def needed(name: str) -> bool:
         has = min(h.loose_score for h in found if name in h.holds)
-        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_SHAPES
+        return min(h.loose_score for h in found if name not in h.holds) >= has + BESIDE_UNKNOWN
 
     return frozenset(filter(needed, names))
 

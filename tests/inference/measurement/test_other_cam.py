@@ -91,7 +91,7 @@ def test_a_shape_without_a_name_that_only_the_other_cam_needs_speaks_against_it(
         blend=radians(20.0),
     )
     monkeypatch.setattr(room, "_against", lambda joint, nominal: SimpleNamespace(parts=(None,)))
-    monkeypatch.setattr(room, "find", lambda joint, usual: [subset(-1.5 * SURE, of_other)])
+    monkeypatch.setattr(room, "find", lambda joint, usual, against: [subset(-1.5 * SURE, of_other)])
     monkeypatch.setattr(room, "left_over", lambda part, joint, found: 1.0)
     weighed = SimpleNamespace(
         found=[subset(0.0, of_stated)], joint=None, judgement=SimpleNamespace(verdict=Verdict.PARTIAL)

@@ -8,8 +8,8 @@ import pytest
 
 from cadgen.deviations.effect import READING
 from cadgen.inference.measurement.diagnosis import weigh
-from cadgen.inference.measurement.search import LARGEST_SUBSET, MOST_CAUSES, _grown
-from cadgen.inference.measurement.verdict import SURE, Verdict, sure_of
+from cadgen.inference.measurement.search import LARGEST_SUBSET, MOST_CAUSES, _grown, find
+from cadgen.inference.measurement.verdict import BESIDE_UNKNOWN, SURE, Verdict, _beside_shapes, sure_of
 from tests.inference.measurement import study
 
 
@@ -80,3 +80,22 @@ def test_subsets_about_the_best_one():
     grown = list(_grown(effects, best))
     assert set(grown) == wanted
     assert len(grown) == len(set(grown))
+
+
+@pytest.mark.slow
+def test_a_search_ends_where_nothing_promises_to_come_near_a_score(synthetic_car):
+    _, found = weighed(synthetic_car, 7001, "transmission", "pair", 1)
+    whole = find(found.joint)
+    near, hopeless = (find(found.joint, against=whole[0].score - off) for off in (0.0, 1e6))
+    assert near[0].key == whole[0].key
+    assert whole[0].score <= hopeless[0].score
+    assert len(hopeless) < len(whole)
+
+
+def test_a_name_beside_a_shape_is_claimed_if_all_without_it_are_much_less_likely():
+    whole = SimpleNamespace(loose_score=0.0, holds=frozenset({"eccentric bore", "lever gain"}))
+    without = [
+        SimpleNamespace(loose_score=BESIDE_UNKNOWN + 1, holds=frozenset({"lever gain"})),
+        SimpleNamespace(loose_score=BESIDE_UNKNOWN - 1, holds=frozenset({"eccentric bore"})),
+    ]
+    assert _beside_shapes(whole.holds, [whole, *without]) == {"eccentric bore"}
