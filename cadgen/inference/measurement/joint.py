@@ -179,13 +179,15 @@ class Part:
         steps = np.concatenate([np.empty(0), *(e.steps for e, _ in active)])
         values = np.concatenate([np.empty(0), *(v for _, v in active)])
         where = tuple(e.key for e, _ in active)
-        known = {e.key: self._leant[e.key, *where][0] for e in effects if (e.key, *where) in self._leant}
-        anew = tuple(e for e in effects if e.key not in known or (np.abs(values - known[e.key]) > _NEAR * steps).any())
+        known = {e.key: self._leant[e.key, *where] for e in effects if (e.key, *where) in self._leant}
+        near = {key: lean for key, (at, lean) in known.items() if (np.abs(values - at) <= _NEAR * steps).all()}
+        anew = tuple(e for e in effects if e.key not in near)
         columns = slopes(self.model, anew, active, residual)
         ends = np.cumsum([0, *(len(e.parameters) for e in anew)])
         for effect, (a, b) in zip(anew, pairwise(ends), strict=True):
+            near[effect.key] = columns[:, a:b]
             self._leant[effect.key, *where] = values, columns[:, a:b]
-        return np.hstack([np.empty((len(columns), 0)), *(self._leant[e.key, *where][1] for e in effects)])
+        return np.hstack([np.empty((len(columns), 0)), *(near[e.key] for e in effects)])
 
 
 @dataclass(frozen=True, kw_only=True)

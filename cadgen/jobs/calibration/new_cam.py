@@ -197,14 +197,16 @@ def with_joint_effect(
 def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[tuple[Claim, ...]]:
     """The claims with each whole subset that may be true, where sure names alone do not explain the runs of a track.
 
-    A form without a name stays: no cam is made for it.
+    A form without a name stays: no cam is made for it. Where other records contradict the track, its own subsets go
+    before what these claim of the same quantities, since it shows how the car runs.
     """
     judged = [d for d in diagnoses if isinstance(d, EvidenceDiagnosis)]
     track = next((d for d in judged if d.kind is TRACK), None)
-    if track is None or track.contradicted or track.verdict not in _UNSURE or track.runs < 2:
+    if track is None or track.verdict not in _UNSURE or track.runs < 2:
         return
     sources = {d.kind.code: d.source for d in judged}
-    sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in sources and not c.absent}
+    together = {track.kind.code} if track.contradicted else sources.keys()
+    sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in together and not c.absent}
     # What was judged apart, and that there is none of something, is sure as well.
     apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
     for likely in track.likely:
@@ -222,8 +224,9 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
         lost = any(
             runs and not (effect.shape or effect.instrument) and name not in kept for (name, effect, _), runs in every
         )
-        if unsure and not lost and not unsure & {claim.deviation for claim in apart}:
-            yield (*whole, *apart)
+        beside = [c for c in apart if not (track.contradicted and c.deviation in unsure)]
+        if unsure and not lost and not unsure & {claim.deviation for claim in beside}:
+            yield (*whole, *beside)
 
 
 def _claims(likely: Likely, sources: Mapping[str, str], sure: Mapping[tuple[str, str], Claim]) -> Iterator[Claim]:

@@ -12,7 +12,7 @@ from cadgen.deviations.transmission import runout
 from cadgen.inference.measurement.evidence import Evidence, Noise, Spectrum
 from cadgen.inference.measurement.joint import Joint, Merged, Part
 from cadgen.inference.measurement.kinds import LIFT, TRACK, TRANSMISSION
-from cadgen.inference.measurement.model import CHANGE
+from cadgen.inference.measurement.model import CHANGE, Cache
 from cadgen.inference.measurement.shapes import bump
 from tests.inference.measurement import synthetic_drive as drive
 from tests.inference.measurement.synthetic import Bench, lift_record
@@ -68,6 +68,17 @@ def test_joint_evidence_is_that_of_the_dense_covariance_of_all_rows():
     assert H[:, 0, 0] == pytest.approx(products[:, 0, 0])
     assert g[:, 0] == pytest.approx(-products[:, 0, 1])
     assert joint.square(active, 1) == pytest.approx(products[1, 1, 1])
+
+
+def test_slopes_that_are_known_are_not_lost_to_those_that_come_beside_them():
+    """A fit of eight effects after long searches: what was remembered of one was forgotten for another's sake."""
+    wave = replace(SLOPE, name="wave", act=lambda reading, p, at: reading + p[0] * np.sin(at.place))
+    part = replace(_part(TRACK, 1, 1.5, 0.0), _leant=Cache(1))
+    residual = part.residual([])
+    part.slopes((SLOPE,), [], residual)
+    both = part.slopes((SLOPE, wave), [], residual)
+    place = part.model.rows.place
+    assert both == pytest.approx(np.stack([np.cos(place), np.sin(place)], axis=1))
 
 
 @pytest.fixture(scope="module")
