@@ -175,7 +175,7 @@ def test_sure_names_and_one_run_are_left_as_they_are(told):
 
 @pytest.mark.slow
 def test_a_track_that_others_contradict_is_explained_by_a_subset_of_its_own(told):
-    """What the train claimed of the play stood against the track's play and friction: 521 mm of 715 stayed."""
+    """A train's play stood against play and friction of the track, which contradicts it: 521 mm of 715 stayed."""
     sure = [c for c in told.claims if c.sure]
     first, *others = told.diagnoses
     alone = replace(first, contradicted=True)

@@ -195,7 +195,7 @@ def find(
         without: name that no subset is to hold.
         known: subsets of these records that are fitted already, the best fit of each; those that hold that name count
             for nothing.
-        against: score to come near. The search ends where nothing promises to.
+        against: dimensionless score to come near. The search ends where nothing promises to.
     """
     core, named = distinguishable(joint), joint.members
     search = _size(joint, core, usual or {})
