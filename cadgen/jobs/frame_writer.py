@@ -202,7 +202,7 @@ class _Files:
         if panel in frame.plates:
             zones = seat_zones(sorted(hole.shaft for hole in panel.holes if hole.fit and hole.shaft), train)
         walls = () if frame.printed is None else frame.standing
-        thick = panel.thickness
+        thick, flat = panel.thickness, panel is frame.platform or panel.code == "guide_top"
         notes: list[Message] = []
         if panel in walls:
             notes = [Message("Wall of the frame that is printed in one piece, {size:g} mm thick.", size=thick)]
@@ -214,7 +214,7 @@ class _Files:
             a = frame.site.base_radius
             left, low = zero.at
             between.append(("camshaft to fork axis", (-left, -low), (-a - left, -frame.site.fork - low)))
-        elif panel is frame.platform or panel.code == "guide_top":
+        elif flat:
             notes.append(Message("Seen from above, the front of the car to the left."))
         elif panel.code in ("bracket_micrometer", "wall_micrometer"):
             notes.append(Message("Seen from before the car."))
@@ -223,7 +223,7 @@ class _Files:
         if panel in frame.plates:
             notes += span_notes(train) if zones else distance_notes(train)
             notes.append(Message("Bearings flush with the face that looks to the train, bonded."))
-        if frame.sizes.corner:
+        if frame.sizes.corner and not flat:
             notes.append(
                 Message("Inner corners are opened for a cutter of {size:g} mm.", size=2 * (frame.sizes.corner - CLEAR))
             )

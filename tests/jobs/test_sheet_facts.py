@@ -224,6 +224,8 @@ def test_sheet_outline_and_program_of_a_frame_have_one_zero_on_the_part(car: Car
             assert panel.outline.vertices.min(axis=0).tolist() == [0.0, 0.0]
         else:
             assert (0.0, 0.0) in milled, stem
+        opened = any(note.startswith("Inner corners") for note in sheets[stem].notes)
+        assert opened != stem.endswith("_platform"), stem  # a rectangle has none
         (whole,) = (each for each in design.sheets if stem.endswith(f"_{each.code}"))
         for one, other in zip(panel.holes, whole.holes, strict=True):  # where it was in the car
             at = [each.place.out(np.array([[hole.u, hole.v, 0.0]])) for each, hole in ((panel, one), (whole, other))]
