@@ -355,7 +355,9 @@ class _Parts:
         first, last = self.shaft_ends(shaft)
         low, high = max(ends[0], first + key.width / 2), min(ends[1], last - key.width / 2)
         length = key_length(key.width, high - low)
-        return (*ends, "B") if length is None else ((low + high - length) / 2, (low + high + length) / 2, "A")
+        if length is None:
+            return max(ends[0], first), min(ends[1], last), "B"
+        return (low + high - length) / 2, (low + high + length) / 2, "A"
 
     def _seat(self, key: Keyway, angle: float, ends: tuple[float, float], shaft: int) -> KeySlot:
         """Seat of a key, as an end mill leaves it: as long as a round key, beyond a square one by half its width.

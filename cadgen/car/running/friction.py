@@ -10,6 +10,7 @@ sliding; with its seals it holds the cam as friction below 0.02 would, an estima
 """
 
 import re
+from collections.abc import Collection
 from enum import StrEnum
 
 from cadgen.cam.followers.kind import RunningSurface
@@ -29,19 +30,19 @@ class DiscMaterial(StrEnum):
 # Words, grades (EN, ISO, GB, AISI) and trade names of each material in small letters; Chinese ones may stand in a word.
 NAMES: dict[DiscMaterial, str] = {
     DiscMaterial.ALUMINIUM: "aluminium aluminum dural duralumin almg3 almgsi1 almg4.5mn alcu4mg1 alznmgcu1.5 "
-    "2014 2017 2024 5052 5083 5754 6005 6060 6061 6063 6082 7020 7050 7075 2a12 6a02 7a04 铝",
+    "2014 2017 2024 5052 5083 5754 6005 6060 6061 6063 6082 7020 7050 7075 2a12 6a02 7a04 铝 鋁",
     DiscMaterial.STEEL: "steel stainless inox c15 c35 c45 c45e c60 s45c s235 s235jr s275 s355 s355j2 st37 st52 q195 "
     "q235 q235a q235b q345 q355 20cr 40cr gcr15 100cr6 16mncr5 20mncr5 20crmnti 42crmo4 34crnimo6 90mnv8 cr12mov "
-    "sus303 sus304 sus316 1020 1045 4140 4340 303 304 316 316l 1.0503 1.1191 1.4301 1.4305 1.4404 1.7131 1.7225 钢",
-    DiscMaterial.BRASS: "brass ms58 cuzn37 cuzn39pb3 cuzn40pb2 cw508l cw614n cw617n c360 h59 h62 h68 hpb59-1 黄铜",
+    "sus303 sus304 sus316 1020 1045 4140 4340 303 304 316 316l 1.0503 1.1191 1.4301 1.4305 1.4404 1.7131 1.7225 钢 鋼",
+    DiscMaterial.BRASS: "brass ms58 cuzn37 cuzn39pb3 cuzn40pb2 cw508l cw614n cw617n c360 h59 h62 h68 hpb59-1 黄铜 黃銅",
     DiscMaterial.ACRYLIC: "acrylic pmma plexiglas plexiglass perspex 亚克力 有机玻璃",
     DiscMaterial.PLA: "pla 聚乳酸",
     DiscMaterial.POM: "pom pom-c pom-h acetal delrin 聚甲醛 赛钢",
 }
-_OTHERS = ("bronze", "青铜", "铝铜")  # whose names have one of these metals in them
+_OTHERS = ("bronze", "青铜", "铝铜", "钢化")  # whose names have one of these metals in them
 _WORD = re.compile(r"[^\W_]+(?:[-.][^\W_]+)*")
-# What may stand beside a grade that is a mere number, which else is a length: the standard and the temper.
-_BESIDE = re.compile(r"en|aw|aisi|sae|gb|din|t\d+|h\d+")
+# What may stand beside a grade that is a mere number, which else is a length: the standard, the temper and the stock.
+_BESIDE = re.compile(r"en|aw|aisi|sae|gb|din|t\d+|h\d+|plate|sheet|bar|rod")
 
 
 def named_material(stated: str | None) -> DiscMaterial | None:
@@ -59,11 +60,20 @@ def named_material(stated: str | None) -> DiscMaterial | None:
         if not name.isascii() and name in left:  # 赛钢 is no 钢
             found.add(material)
             left = left.replace(name, " ")
-    words = [part for word in _WORD.findall(left) for part in dict.fromkeys([word, *word.split("-")])]
+    all_names = {name for name, _ in names}
+    words = [part for word in _WORD.findall(left) for part in dict.fromkeys([word, *_parts(word, all_names)])]
     found |= {material for name, material in names if name in words and not name.isdigit()}
     if not found and all(word.isdigit() or "-" in word or _BESIDE.fullmatch(word) for word in words):
         found = {material for name, material in names if name in words}
     return found.pop() if len(found) == 1 else None
+
+
+def _parts(word: str, names: Collection[str]) -> list[str]:
+    """Parts of a word with hyphens that is a grade, as of en-aw-6082; none of a date, or of steel-free."""
+    parts = word.split("-")
+    numbers = sum(part.isdigit() for part in parts)
+    grade = all(part.isdigit() or part in names or _BESIDE.fullmatch(part) for part in parts)
+    return parts if grade and numbers <= 1 else []
 
 
 def material_by_name(stated: object) -> object:

@@ -278,8 +278,10 @@ def _distances(panel: Panel) -> Iterator[tuple[str, ...]]:
         tabs = [(number, each) for number, each in numbered if each.pattern == pattern]
         for (first, one), (second, other) in pairwise(tabs):
             apart = (abs(other.u - one.u), abs(other.v - one.v))
-            sizes = (f"{rounded(size, 2)}±{SHARE:g}" for size, fitted in zip(apart, one.fitted, strict=True) if fitted)
-            yield f"{first}–{second}", "", "", " × ".join(sizes), Message("distance, middle to middle")
+            fitted = (a and b for a, b in zip(one.fitted, other.fitted, strict=True))
+            sizes = [f"{rounded(size, 2)}±{SHARE:g}" for size, fits in zip(apart, fitted, strict=True) if fits]
+            if sizes:
+                yield f"{first}–{second}", "", "", " × ".join(sizes), Message("distance, middle to middle")
 
 
 def slanted_corners(panel: Panel) -> list[tuple[float, float]]:
