@@ -121,13 +121,14 @@ def gear_rows(
     if double:
         helices = [(Message("helix of the lower half"), lean[0]), (Message("helix of the upper half"), lean[1])]
     rack = [plain(code) for code in ("addendum_factor", "dedendum_factor", "rack_tip_radius_factor")]
+    factors = ", ".join(filter(None, rack))
     apart, deviation = rounded(stage.centre_distance, 4), stage.distance_deviation
     pins, gauge = Message("over balls, mm") if helix else Message("over pins, mm"), gauge_in(gear)
     rows: list[tuple[str, str]] = [
         (Message("module m_n"), mm("module", 4)),
         (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
         (Message("pressure angle"), "" if angle is None else f"{angle:g}°"),
-        (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), ", ".join(filter(None, rack))),
+        (Message("h_aP, h_fP") if ring else Message("h_aP, h_fP, rho_fP"), f"{factors} × m" if factors else ""),
         (Message("transverse pitch") if helix else Message("pitch"), pitch),
         *helices,
         (Message("lead"), mm("lead")),

@@ -75,6 +75,7 @@ def test_order_of_the_table(tables):
         "over balls, mm",
         "contact + overlap ratio",
     ]
+    assert dict(tables["helical"][1])["h_aP, h_fP, rho_fP"] == "1, 1.25, 0.38 × m"  # no heights in mm
     ring = dict(tables["ring"][1])
     assert ring["teeth z"] == "60, inside"
     assert ring["root"] == "pinion cutter, z0 25"
