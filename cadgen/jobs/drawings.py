@@ -473,9 +473,10 @@ def _printed(plan: GearTrain) -> bool:
 
 
 def _usual_thickness(plan: GearTrain) -> float:
-    """Thickness of plates where no key has it, mm: that of the car, or that in the words of their material.
+    """Thickness that the sheet of the plates states where no key does, mm.
 
-    Else their widest bearing fills them; shafts in plain holes have as much length as the thickest has diameter.
+    A car's plates have the thickness of its layout, others that in the words of their material, such as `plywood 5 mm`.
+    Else it is the width of the widest bearing, or the diameter of the thickest shaft where shafts run in plain holes.
     """
     if plan.car is not None:
         return plan.car.site.plate

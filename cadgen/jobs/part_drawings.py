@@ -98,7 +98,7 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
             keys = [each.standard.partition(") ")[2] for each in on]
             seats = [
                 KeySeat(seat.low, seat.high, seat.width, seat.floor, _turned(seat, shape.seats[0]), seat.rounded, key)
-                for seat, key in zip(shape.seats, keys, strict=False)
+                for seat, key in zip(shape.seats, keys, strict=True)
             ]
             through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
             if seats:
