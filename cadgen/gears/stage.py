@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
-from typing import Any, Protocol, Self
+from typing import Any, Protocol, Self, runtime_checkable
 
 from cadgen.check import Check
 from cadgen.figures import Facts, Figures
@@ -140,6 +140,20 @@ class Wheel(Protocol):
     @property
     def usual_chord(self) -> float:
         """Greatest chord error of its mesh where none is given, mm."""
+
+
+@runtime_checkable
+class Drilled(Protocol):
+    """Wheel with holes through its face besides its bore, as a carrier has them for the pins of its planets."""
+
+    @property
+    def holes(self) -> tuple[Loop, ...]:
+        """Holes through the face; none where the pins have no diameter."""
+
+
+def holes_of(wheel: Wheel) -> tuple[Loop, ...]:
+    """Holes through the face of a wheel besides its bore; none of most wheels."""
+    return wheel.holes if isinstance(wheel, Drilled) else ()
 
 
 def is_ring(wheel: Wheel) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import asin, ceil, degrees, floor, hypot, inf, isfinite, pi, sin, tan
 
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Wheel, is_bar, is_ring, rim_diameter
+from cadgen.gears.stage import Wheel, holes_of, is_bar, is_ring, rim_diameter
 from cadgen.gears.tooth import MOST_TEETH_MORE, GearForm
 from cadgen.messages import Message
 from cadgen.parts.blank import Blank
@@ -52,7 +52,7 @@ def gear_body(form: Wheel, blank: Blank | None = None) -> Body:
 
 def _pin_holes(blank: Blank, form: Wheel) -> tuple[Loop, ...]:
     """Holes of a carrier for the pins of its planets; none of another wheel."""
-    holes: tuple[Loop, ...] = getattr(form, "holes", ())
+    holes = holes_of(form)
     for feature, name, key in (
         (blank.web, Message("a web"), "web"),
         (blank.lightening, Message("lightening holes"), "lightening"),

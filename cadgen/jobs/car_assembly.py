@@ -51,7 +51,7 @@ from cadgen.car.assembly.fork_sizes import (
     hub_width,
 )
 from cadgen.car.assembly.site import CarSite
-from cadgen.car.assembly.standard_parts import bearing_of, key_length, key_size
+from cadgen.car.assembly.standard_parts import ParallelKey, bearing_of, key_length, key_size
 from cadgen.car.assembly.turning_train import TurningTrain, turning_train
 from cadgen.car.running.friction import DiscMaterial
 from cadgen.curves.chamfer import chamfered_off
@@ -324,28 +324,27 @@ class _Parts:
     def keys(self) -> Iterator[CarPart]:
         """Parallel keys of disc and gears: with round ends where one is sold so short, else cut to the hub's length."""
         for code, title, key, bore, angle, ends, shaft in self._keyed():
-            height, seat = key_size(key.width)
-            height = min(height, seat + key.depth)
-            low, high, form = self._key_ends(key, ends, shaft)
-            outline = key_outline(low, high, key.width, (form == "A",) * 2)
+            _, seat = key_size(key.width)
+            low, made = self._key(key, ends, shaft)
+            outline = key_outline(low, low + made.length, key.width, (made.form == "A",) * 2)
             axis, out = self.groups[shaft - 1].axis, (cos(angle), sin(angle), 0.0)
             yield CarPart(
                 code=code,
                 title=title,
-                shape=Block((Prism(outline, bore / 2 - seat, bore / 2 - seat + height),)),
+                shape=Block((Prism(outline, bore / 2 - seat, bore / 2 - seat + made.height),)),
                 places=(along(out, (0.0, 0.0, 1.0), (axis.real, axis.imag, 0.0)),),
                 group=self.groups[shaft - 1],
                 material=_STEEL,
                 density=DENSITY[DiscMaterial.STEEL] * 1e-3,
                 colour=_BRASS,
                 supply=Supply.BOUGHT,
-                standard=f"DIN 6885-1 (ISO 773) {form} {key.width:g} x {height:g} x {high - low:.6g}",
+                standard=made.designation,
                 shaft=shaft,
-                how=Message("into its seat") if form == "A" else Message("cut to length, into its seat"),
+                how=Message("into its seat") if made.form == "A" else Message("cut to length, into its seat"),
             )
 
-    def _key_ends(self, key: Keyway, ends: tuple[float, float], shaft: int) -> tuple[float, float, str]:
-        """Heights between which a key lies, mm, and its form: A with round ends, or B with square ones.
+    def _key(self, key: Keyway, ends: tuple[float, float], shaft: int) -> tuple[float, ParallelKey]:
+        """Height at which a key begins, mm, and the key: form A where one is sold so short, else form B.
 
         Args:
             key: keyway of what it holds.
@@ -354,10 +353,13 @@ class _Parts:
         """
         first, last = self.shaft_ends(shaft)
         low, high = max(ends[0], first + key.width / 2), min(ends[1], last - key.width / 2)
+        height, seat = key_size(key.width)
+        height = min(height, seat + key.depth)
         length = key_length(key.width, high - low)
         if length is None:
-            return max(ends[0], first), min(ends[1], last), "B"
-        return (low + high - length) / 2, (low + high + length) / 2, "A"
+            low, high = max(ends[0], first), min(ends[1], last)
+            return low, ParallelKey("B", key.width, height, high - low)
+        return (low + high - length) / 2, ParallelKey("A", key.width, height, length)
 
     def _seat(self, key: Keyway, angle: float, ends: tuple[float, float], shaft: int) -> KeySlot:
         """Seat of a key, as an end mill leaves it: as long as a round key, beyond a square one by half its width.
@@ -370,14 +372,15 @@ class _Parts:
             ends: heights of what it holds, mm.
             shaft: number of the shaft, from 1.
         """
-        low, high, form = self._key_ends(key, ends, shaft)
+        low, made = self._key(key, ends, shaft)
+        high = low + made.length
         first, last = self.shaft_ends(shaft)
         radius, half = self.turning.parts[shaft - 1].part.blank.shaft_diameter / 2, key.width / 2
-        if form == "B":
+        if made.form == "B":
             low, high = low - half, high + half
         closed = low >= first + half - 1e-9, high <= last - half + 1e-9
         low, high = (low if closed[0] else first), (high if closed[1] else last)
-        return KeySlot(low, high, key.width, radius - key_size(key.width)[1], radius, angle, closed)
+        return KeySlot(low, high, key.width, radius - key_size(key.width)[1], radius, angle, closed, made)
 
     def _keyed(self) -> Iterator[tuple[str, Message, Keyway, float, float, tuple[float, float], int]]:
         """Code, title, keyway, bore, polar angle in the car, heights and shaft of each key."""

@@ -27,7 +27,7 @@ from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.planetary_stage import Carrier
 from cadgen.gears.rack_stage import Bar
-from cadgen.gears.stage import Mating, Stage, Wheel, is_bar, is_ring, rim_diameter
+from cadgen.gears.stage import Mating, Stage, Wheel, holes_of, is_bar, is_ring, rim_diameter
 from cadgen.gears.tolerances import run_outs, tip_tolerance
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
@@ -349,7 +349,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives, double=getattr(wheel, "double", False)))
-            if getattr(wheel, "holes", ()):  # where no place is stated the pins keep the deviation of their distance
+            if holes_of(wheel):  # where no place is stated the pins keep the deviation of their distance
                 stated = getattr(layout.train.stages[number - 1], "pin_place", 0.0)
                 places.append(stated or pair.distance_deviation or 0.0)
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))

@@ -94,11 +94,17 @@ def part_sheets(assembly: CarAssembly, folder: Folder) -> Iterator[tuple[str, Dr
                 TurnedStep(each.low, each.high, 2 * float(each.outline.radii[0]), _bore(each), _beside(each))
                 for each in shape.prisms
             ]
-            on = (each for each in assembly.parts if each.shaft == part.shaft and each.code.startswith("key"))
-            keys = [each.standard.partition(") ")[2] for each in on]
             seats = [
-                KeySeat(seat.low, seat.high, seat.width, seat.floor, _turned(seat, shape.seats[0]), seat.rounded, key)
-                for seat, key in zip(shape.seats, keys, strict=True)
+                KeySeat(
+                    seat.low,
+                    seat.high,
+                    seat.width,
+                    seat.floor,
+                    _turned(seat, shape.seats[0]),
+                    seat.rounded,
+                    seat.key.size if seat.key else "",
+                )
+                for seat in shape.seats
             ]
             through = next(((each.diameter, each.start[2]) for each in shape.drilled), None)
             if seats:

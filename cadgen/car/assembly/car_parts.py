@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from cadgen.arrays import Array
+from cadgen.car.assembly.standard_parts import ParallelKey
 from cadgen.curves.closed import ClosedCurve, cross
 from cadgen.curves.contour import Contour
 from cadgen.curves.polygon import polygon
@@ -146,6 +147,7 @@ class KeySlot:
         radius: radius of the shaft, mm.
         angle: polar angle of its middle, rad.
         rounded: whether its lower and its upper end are round; one at the end of the shaft is open.
+        key: key that lies in it; None where it is not known.
     """
 
     low: float
@@ -155,6 +157,7 @@ class KeySlot:
     radius: float
     angle: float
     rounded: tuple[bool, bool] = (True, True)
+    key: ParallelKey | None = None
 
     @property
     def tool(self) -> tuple[Prism, Array]:

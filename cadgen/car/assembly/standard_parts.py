@@ -178,6 +178,32 @@ def key_length(width: float, room: float) -> float | None:
     return max((float(each) for each in _KEY_LENGTHS if least <= each <= min(greatest, room + 1e-9)), default=None)
 
 
+class ParallelKey(NamedTuple):
+    """Parallel key as it is ordered or cut (DIN 6885-1, ISO 773).
+
+    Attributes:
+        form: `A` with round ends, `B` with square ones.
+        width: width, mm.
+        height: height, mm.
+        length: length over all, mm.
+    """
+
+    form: str
+    width: float
+    height: float
+    length: float
+
+    @property
+    def size(self) -> str:
+        """Form and size: `A 3 x 3 x 8`."""
+        return f"{self.form} {self.width:g} x {self.height:g} x {self.length:.6g}"
+
+    @property
+    def designation(self) -> str:
+        """Standard and size, as it is ordered."""
+        return f"DIN 6885-1 (ISO 773) {self.size}"
+
+
 class SetCollar(NamedTuple):
     """Set collar with its set screw (DIN 705 A).
 

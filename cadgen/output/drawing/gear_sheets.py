@@ -14,7 +14,7 @@ from cadgen.figures import Figures
 from cadgen.gears.inspection import gauge_in
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm
-from cadgen.gears.stage import Stage, Wheel, is_ring, rim_diameter
+from cadgen.gears.stage import Stage, Wheel, holes_of, is_ring, rim_diameter
 from cadgen.gears.tolerances import tip_tolerance
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames, outline_tips, rim
@@ -248,7 +248,7 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
         every = dict.fromkeys(name for column in columns for name in column)
         rows = (("", *names), *((name, *(column.get(name, "-") for column in columns)) for name in every))
     title_of_table = names[0] if len(names) == 1 else Message("gears")
-    if len(names) == 1 and _is_carrier(gear.part.gears[0]):
+    if len(names) == 1 and holes_of(gear.part.gears[0]):
         title_of_table = Message("carrier")
 
     def tables_of(size: str) -> tuple[SheetTable, ...]:
@@ -408,11 +408,6 @@ def _over_teeth(rack: RackForm, place: tuple[float, float], scale: float) -> Vie
 def _names(part: TrainPart) -> tuple[Message, ...]:
     """Names of a part's gears."""
     return (Message("gear"),) if len(part.gears) == 1 else (Message("lower gear"), Message("upper gear"))
-
-
-def _is_carrier(wheel: Wheel) -> bool:
-    """Whether a wheel has holes for the pins of planets in place of teeth."""
-    return bool(getattr(wheel, "holes", ()))
 
 
 def _reach(body: Body) -> float:
@@ -762,7 +757,7 @@ def _notes(gear: GearPart) -> Iterator[str]:
     blank = gear.part.blank
     if screw := ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread):
         yield from gear.fit.thread_note(drawn=bool(screw.thread))
-    toothed = not all(map(_is_carrier, gear.part.gears))
+    toothed = not all(map(holes_of, gear.part.gears))
     if isinstance(blank.key, Keyway) and toothed:
         yield Message("A tooth of each gear stands on the axis of the keyway.")
     elif isinstance(blank.key, Flats) and toothed:
@@ -783,7 +778,7 @@ def _notes(gear: GearPart) -> Iterator[str]:
             size=size,
             circle=circle,
         )
-    if any(map(_is_carrier, gear.part.gears)):
+    if any(map(holes_of, gear.part.gears)):
         yield Message("Fit of the pins: not stated; choose it with the pins.")
     if blank.bore_diameter and gear.part.beside and not gear.fit.bore:
         yield Message("Fit of the bore: not stated; choose it with the pin.")
