@@ -85,6 +85,8 @@ class CheckCode(StrEnum):
     PLAY_GREATEST = "play-greatest"
     PLAY_LEAST = "play-least"
     RETURN_ERROR = "return-error"
+    TOOL_ROOM = "tool-room"
+    TEETH_REACHED = "teeth-reached"
     COURSE_POST = "course-post"
     COURSE_WALL = "course-wall"
     COURSE_ZONE = "course-zone"

@@ -1,6 +1,7 @@
 """From a design's [train] to what the gear rooms work on: mm and rad."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import radians
 from typing import TypeVar
 
@@ -9,7 +10,8 @@ from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.train import GearBlankSection, GearKeys, SpurStage, TrainSection
 from cadgen.errors import DesignError
-from cadgen.gears.choices import HelixHand, ToleranceStandard
+from cadgen.gears.choices import Cutting, HelixHand, ToleranceStandard
+from cadgen.gears.cutting import Made
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
 from cadgen.gears.pair import GradedGear
@@ -89,6 +91,30 @@ def blanks(design: TrainDesign) -> Blanks:
         ending=(drive, intermediate, output),
         own=tuple((each.shaft, _blank(each), bool(each.shaft_ends)) for each in keys.shafts or ()),
     )
+
+
+def made_by(keys: TrainSection, place: str, blank: GearBlankSection) -> Made:
+    """How the teeth of a part are made.
+
+    Args:
+        keys: section of the train.
+        place: place of the part in it.
+        blank: section of the part.
+    """
+    return Made(place, blank.cutting or keys.cutting, bool(blank.cut_apart), keys.cutter_diameter_mm)
+
+
+def makings(design: TrainDesign, shafts: int) -> tuple[Made, ...]:
+    """How the teeth on each shaft are made, from the drive to the output; printed, if files take back a printer's.
+
+    Args:
+        design: loaded design.
+        shafts: number of shafts.
+    """
+    keys = train_keys(design)
+    found = tuple(made_by(keys, place, blank) for place, blank in keys.on_shafts(shafts))
+    printed = Cutting.PRINTED if design.export.printing else None
+    return tuple(replace(each, cutting=each.cutting or printed) for each in found)
 
 
 def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:

@@ -23,7 +23,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.errors import DesignError
-from cadgen.gears.choices import HelixHand, SearchObjective, Thinning, ToleranceStandard
+from cadgen.gears.choices import Cutting, HelixHand, SearchObjective, Thinning, ToleranceStandard
 from cadgen.gears.stage_kind import StageKind
 from cadgen.gears.stage_kinds import SPUR, codes, has, kind_of
 from cadgen.messages import Message
@@ -303,6 +303,14 @@ class GearBlankSection(Held):
         default=None, max_length=20, description="of the bore on its shaft by ISO 286, such as `H7/h6`; for the drawing"
     )
     material: CellText | None = Field(default=None, description="for the drawing; left out, that of the train")
+    cutting: Annotated[Cutting | None, WORD] = Field(
+        default=None, description="how its teeth are cut; left out, as those of the train"
+    )
+    cut_apart: bool | None = Field(
+        default=None,
+        description="whether the two gears of the shaft are cut as two parts and joined by `joint`; left out, they are "
+        "one piece",
+    )
     shaft_ends: bool | None = Field(
         default=None,
         description="whether the shaft ends at its gears, in bearings of its own, and leaves room beyond; left out, "
@@ -352,6 +360,14 @@ class GearBlankSection(Held):
                     half=bore / 2,
                     bore=bore,
                 )
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _parts_are_joined(self) -> "GearBlankSection":
+        if self.cut_apart and self.joint is None:
+            raise ValueError(
+                Message('{here}.cut_apart needs what joins the gears: give {here}.joint, such as "glued"', here=HERE)
             )
         return self
 
@@ -515,6 +531,18 @@ class TrainSection(DesignSection):
         default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
     )
     material: CellText | None = Field(default=None, description="of the gears, such as `POM`; for their drawings")
+    cutting: Annotated[Cutting | None, WORD] = Field(
+        default=None,
+        description="how the teeth are cut: `hobbed`, `shaped`, `milled` with a disc cutter, by a `wire`, a laser or a "
+        "jet through the whole width, or `printed` or moulded; gears beside larger ones on a shaft then need room "
+        "for it; left out, not stated",
+    )
+    cutter_diameter_mm: float | None = Field(
+        default=None,
+        gt=0,
+        le=500,
+        description="of the hob or the disc cutter; left out, that of DIN 8002 for the module",
+    )
     stages: Annotated[tuple[StageItem, ...], Strict(False)] = Field(
         min_length=1, max_length=MOST_STAGES, description=f"at least one, and at most {MOST_STAGES}"
     )
@@ -574,6 +602,15 @@ class TrainSection(DesignSection):
         return self
 
     @model_validator(mode="after")
+    def _two_gears_are_cut_apart(self) -> "TrainSection":
+        for place, blank in (("drive", self.drive), ("output", self.output)):
+            if blank.cut_apart:
+                raise ValueError(
+                    Message("train.{place}.cut_apart is of a shaft with two gears: remove it", place=place)
+                )
+        return self
+
+    @model_validator(mode="after")
     def _friction_has_its_source(self) -> "TrainSection":
         if (self.friction_coefficient is None) != (self.friction_source is None):
             raise ValueError(
@@ -627,7 +664,7 @@ _TEETH = (
         "addendum_factor",
         "dedendum_factor",
     ),
-    *("rack_tip_radius_factor", "tip_chamfer_mm", "pin_diameter_mm"),
+    *("rack_tip_radius_factor", "tip_chamfer_mm", "pin_diameter_mm", "cutting", "cutter_diameter_mm"),
 )
 
 

@@ -30,5 +30,6 @@
 | `chains`          | branch and bound: the cheapest chains of pairs that give a ratio                      |
 | `wheel_body`      | rim and blank -> a wheel's body, as a stack of prisms                                 |
 | `layout`          | a train's parts at their places, clear of each other and in phase                     |
+| `cutting`         | room that a tool needs beyond teeth beside a larger gear on one part                  |
 | `synthesis`       | all orders of the stages; all tooth numbers that give the ratio                       |
 """

@@ -18,6 +18,16 @@ class Thinning(StrEnum):
     GREATEST = "greatest"
 
 
+class Cutting(StrEnum):
+    """How teeth are made: by a generating tool, a disc cutter, a wire through the whole width, or in a mould."""
+
+    HOBBED = "hobbed"
+    SHAPED = "shaped"
+    MILLED = "milled"
+    WIRE = "wire"
+    PRINTED = "printed"
+
+
 class HelixHand(StrEnum):
     """Hand of a helix: teeth of a right-hand one turn clockwise as they go away, as a screw does (ISO 1122-1)."""
 

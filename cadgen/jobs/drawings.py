@@ -24,6 +24,7 @@ from cadgen.design.load import packaged_designs
 from cadgen.design.machining import DrawingText, DrawnTeeth
 from cadgen.errors import DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
+from cadgen.gears.cutting import sheet_notes
 from cadgen.gears.layout import TrainLayout, TrainPart
 from cadgen.gears.planetary_stage import Carrier
 from cadgen.gears.rack_stage import Bar
@@ -367,7 +368,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(place, *([plan.printing.note] if plan.printing else [])),
+            notes=(place, *sheet_notes(part, made.made), *([plan.printing.note] if plan.printing else [])),
             flank_texture=(plan.title and plan.title.flank_finish) or "",
             bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),

@@ -13,6 +13,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.gears.choices import Order, SearchObjective, Thinning
+from cadgen.gears.cutting import cutting_checks, room_notes
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
@@ -316,6 +317,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         notes=(
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
+            *room_notes(made.layout.on_shafts, gear_model.makings(design, len(made.layout.on_shafts))),
             *([] if friction is None else [losses_note(made.layout.train, *friction)]),
             *([whole.sentence()] if whole.loose else []),
             *(_notes(design, designed, limits) if limits else ()),
@@ -443,6 +445,8 @@ def _make(design: TrainDesign, play: TrainPlay) -> MadeTrain:
         gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
+    shafts = made.layout.on_shafts
+    made = replace(made, checks=(*made.checks, *cutting_checks(shafts, gear_model.makings(design, len(shafts)))))
     if layout is None:
         return made
     from cadgen.jobs.car_frame import checks_in_car  # it loads shapely, which most trains do without

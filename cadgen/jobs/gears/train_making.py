@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from cadgen.design.gear_model import made_by
 from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
+from cadgen.gears.cutting import Made
 from cadgen.messages import Message
 from cadgen.output.drawing.shaft_fit import ShaftFit
 
@@ -19,6 +21,7 @@ class ShaftMaking:
         word: word for it.
         material: material of the part; None where the design does not say.
         fit: fits and joint of its bore.
+        made: how its teeth are made.
         bored: whether it has a bore, and thus a fit to be stated.
         screwed: whether a set screw holds it, and thus a thread is to be stated.
     """
@@ -27,6 +30,7 @@ class ShaftMaking:
     word: str
     material: str | None
     fit: ShaftFit
+    made: Made
     bored: bool
     screwed: bool
 
@@ -66,7 +70,8 @@ class TrainMaking:
             material = given.material or keys.material
             screwed = bool(given.hub and given.hub.set_screw_mm)
             bored = given.bore_diameter_mm > 0
-            return ShaftMaking(place, word or Message(place), material, fit, bored=bored, screwed=screwed)
+            made = made_by(keys, place, given)
+            return ShaftMaking(place, word or Message(place), material, fit, made, bored=bored, screwed=screwed)
 
         plate = keys.plate or PlateSection()
         return cls(
