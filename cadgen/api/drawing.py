@@ -24,7 +24,8 @@ def draw(
 ) -> Written:
     """Draw a cam, a gear train, or both, as DXF and PDF; read all back, and publish all together or none.
 
-    A drawing names the files of the same part in the folder by their hashes: write these first.
+    A drawing names the files of the same part in the folder by their hashes: write solids and programs first. The
+    outline is written as DXF with it, that of a cam where none lies there.
 
     Args:
         folder: folder for the files; it is made if need be.

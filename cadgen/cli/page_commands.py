@@ -154,9 +154,9 @@ def draw(
 ) -> None:
     """Draw the cam, every part of the gear train and the plate for its axes, as PDF and DXF, each dimension read back.
 
-    Beside them: the outline of every gear as DXF for a laser or a wire, and a form for the inspection of the cam that
-    cadgen calibrate reads. Unless --force is given, nothing is drawn if a check of the cam itself or of the gears
-    fails, and the exit code is 1 if a part is not ready.
+    Beside them: the outline of the cam and of every gear as DXF for a laser or a wire, and a form for the inspection of
+    the cam that cadgen calibrate reads. Unless --force is given, nothing is drawn if a check of the cam itself or of
+    the gears fails, and the exit code is 1 if a part is not ready.
     """
     from cadgen.api.design import Design
     from cadgen.api.drawing import draw as drawn

@@ -22,7 +22,7 @@ from cadgen.curves.biarc import arcs
 from cadgen.design.keys import unit_of, without_unit
 from cadgen.design.load import packaged_designs
 from cadgen.design.machining import DrawingText, DrawnTeeth
-from cadgen.errors import DesignError, FileError
+from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.cutting import sheet_notes
 from cadgen.gears.layout import TrainLayout, TrainPart
@@ -33,18 +33,21 @@ from cadgen.gears.tolerances import run_outs, tip_tolerance
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.inference.measurement.record import Direction
+from cadgen.jobs.cam.cam_files import cam_export, groove_export
 from cadgen.jobs.cam.cam_plan import CamPlan, Groove
 from cadgen.jobs.gears.assembly import gear_figures
 from cadgen.jobs.gears.gear_train import GearTrain
 from cadgen.messages import ENGLISH, Message, joined, language
 from cadgen.output.drawing.cam_sheet import EVERY, CamPart, Neighbour, SheetGroove, cam_drawing
+from cadgen.output.drawing.cam_turns import outline_turns
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
 from cadgen.output.drawing.shaft_fit import fillet, hole_class, limits
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
-from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, sound_parts
+from cadgen.output.files.formats import CAM, GROOVE
+from cadgen.output.files.manifest import NAME, ManifestEntry, Origin, file_hash, sound_parts
 from cadgen.output.files.plate import Axis, Plate, bearing_bores, plate_files
 from cadgen.output.files.publisher import Artifact, Written, publish, require, text_file
 from cadgen.parts.face import Face
@@ -113,6 +116,17 @@ class Folder:
         named = (f"{stem}{ending}" for ending in endings)
         return tuple((name, listed[name]) for name in named if name in listed)
 
+    def with_files(self, part: str, design_hash: str, hashes: Mapping[str, str]) -> "Folder":
+        """The folder as it is with the files of a part, which take the place of those that it has of that part.
+
+        Args:
+            part: name of the part's entry.
+            design_hash: hash of the design that they are of.
+            hashes: SHA-256 of each file, by name.
+        """
+        others = {name: entry for name, entry in self.parts.items() if name != part}
+        return replace(self, parts=others | {part: ManifestEntry(None, design_hash, hashes)})
+
 
 def title_of(origin: Origin, text: DrawingText | None, part: str, material: str, number: str, folder: Folder) -> Title:
     """Title block of a part's sheet.
@@ -165,7 +179,7 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
 
 _CAM_ENDINGS = ("_spline.dxf", "_arcs.dxf", ".step", ".nc")  # of the files that a sheet names
 _ARCS_WITHIN = 1e-3  # mm, of the outline on the sheet
-_DENSE = 7200  # angles at which the greatest and least radius are sought
+_DENSE = 3600  # angles at which points of the outline are sought: what the sheet says has one digit
 _RUNS = 3  # of the inspection, which tells noise from what repeats
 _ACROSS_AT = _DENSE * 215 // 360  # angle at which the width of a groove is dimensioned
 _STEP = 5  # degrees between its readings
@@ -182,7 +196,8 @@ def sheet_of(plan: CamPlan, folder: Folder, other: CamPlan | None = None) -> Dra
     making, use = plan.making, plan.application
     angles = np.radians(np.arange(0.0, 360.0, EVERY))
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
-    radii = plan.curve.radius(dense)
+    jet, _ = plan.curve.at_angle(dense)
+    radii = np.hypot(*jet.point.T)
     most, least = int(radii.argmax()), int(radii.argmin())
     endings = (*_CAM_ENDINGS[:-1], "_groove.nc") if plan.groove else _CAM_ENDINGS
     timing = use.timing(plan)
@@ -192,6 +207,7 @@ def sheet_of(plan: CamPlan, folder: Folder, other: CamPlan | None = None) -> Dra
         radii=plan.curve.radius(angles),
         greatest=(float(radii[most]), float(dense[most])),
         least=(float(radii[least]), float(dense[least])),
+        turns=outline_turns(radii, jet.curvature),
         blank=plan.made_blank,
         thickness=plan.thickness,
         fit=making.fit,
@@ -330,7 +346,7 @@ def inspection_csv(plan: CamPlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-_PART_ENDINGS = (".step", ".stl")
+_PART_ENDINGS = (".step", ".stl", "_outline.dxf", "_1_outline.dxf", "_2_outline.dxf")
 
 
 def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
@@ -621,21 +637,21 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
     Raises:
         FileError: a file cannot be written, or holds something else when it is read back.
     """
-    folder = Folder.at(out)
+    before = Folder.at(out)
     omitted: dict[str, str] = {}
 
     def files(staging: Path) -> Iterator[Artifact]:
+        outlines = list(_outlines(parts, before.with_files(parts.stem, parts.design_hash, {}), staging, omitted))
+        hashes = {each.name: file_hash(staging / each.name) for each in outlines}
+        folder = before.with_files(parts.stem, parts.design_hash, hashes)
         discs = () if parts.cam is None else parts.cam.discs
         others = discs[::-1] if len(discs) > 1 else (None,) * len(discs)
         sheets = [(disc.stem, sheet_of(disc, folder, other)) for disc, other in zip(discs, others, strict=True)]
         for stem, sheet in chain(sheets, () if parts.train is None else sheets_of(parts.train, folder)):
             progress(Message("drawing {stem}", stem=stem))
             yield from write_sheet(staging, stem, sheet, omitted)
+        yield from outlines
         if parts.train is not None:
-            for part in parts.train.layout.parts:
-                stem = f"{parts.train.stem}_{part.name}"
-                outlines = gear_outlines(staging, part, stem, "_outline", drilled=False)
-                yield from (replace(each, readings=()) for each in outlines)
             if _printed(parts.train):
                 omitted["plate"] = Message("the frame is printed in one piece, which cadgen frame draws")
             else:
@@ -655,12 +671,45 @@ def write_drawings(parts: Parts, out: Path, progress: Progress = silent) -> Writ
         Facts(
             design=parts.name,
             design_sha256=parts.design_hash,
-            date=folder.date,
+            date=before.date,
             passed=parts.verdict.passed,
             verdict=parts.verdict.entry(),
         ),
         lambda _: Facts(**{key: value for key, value in further.items() if value}),
     )
+
+
+def _outlines(parts: Parts, folder: Folder, staging: Path, omitted: dict[str, str]) -> Iterator[Artifact]:
+    """Outlines that sheets name, as DXF: of every gear, and of a cam of which no file lies in the folder.
+
+    Args:
+        parts: what is drawn.
+        folder: folder without the files of an earlier drawing.
+        staging: folder for the files.
+        omitted: reasons by what could not be made, which get that of a cam.
+    """
+    plan = parts.cam
+    if plan is not None and not _dxf_in(folder, plan):
+        made = (
+            [one for disc in plan.discs for one in CAM.made(cam_export(disc), staging, CAM.chosen("dxf"))]
+            if plan.groove is None
+            else GROOVE.made(groove_export(plan, plan.groove), staging, GROOVE.chosen("dxf"))
+        )
+        for each, result in made:
+            if isinstance(result, CheckError):
+                omitted[each.label] = result.message
+            else:
+                yield from result
+    if parts.train is not None:
+        for part in parts.train.layout.parts:
+            stem = f"{parts.train.stem}_{part.name}"
+            drawn = gear_outlines(staging, part, stem, "_outline", drilled=False)
+            yield from (replace(each, readings=()) for each in drawn)
+
+
+def _dxf_in(folder: Folder, plan: CamPlan) -> bool:
+    """Whether the outline of every disc of a cam lies in the folder already."""
+    return all(folder.files(disc.stem, plan.origin.content_hash, _CAM_ENDINGS[:2]) for disc in plan.discs)
 
 
 def write_sheet(staging: Path, stem: str, sheet: DrawingSheet, omitted: dict[str, str]) -> Iterator[Artifact]:

@@ -1,7 +1,9 @@
 """`cadgen draw` as a user meets it."""
 
+import hashlib
 import json
 
+import ezdxf
 import pytest
 
 from tests.cli.conftest import one_sentence
@@ -14,11 +16,24 @@ def test_a_cam_is_drawn_with_its_form(cadgen, tmp_path):
     assert "NOT READY: cars that keep the course fails" in " ".join(result.stdout.split())
     assert max(map(len, result.stdout.splitlines())) <= 80
     stem = "carbon_free_car_actual"
-    names = {f"{stem}_drawing.dxf", f"{stem}_drawing.pdf", f"{stem}_inspection.csv"}
+    names = {f"{stem}{ending}" for ending in ("_drawing.dxf", "_drawing.pdf", "_inspection.csv")}
+    outlines = {f"{stem}_spline.dxf", f"{stem}_arcs.dxf"}
+    names |= outlines
     assert {file.name for file in (tmp_path / "out").iterdir()} == names | {"manifest.json"}
     entry = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]["carbon_free_car_cam_drawings"]
     assert set(entry["files"]) == names
     assert entry["files"][f"{stem}_drawing.dxf"]["dimensions_mm"]["keyway width"] == 3.0
+    texts = {text.dxf.text.strip() for text in ezdxf.readfile(tmp_path / f"out/{stem}_drawing.dxf").query("TEXT")}
+    for name in outlines:  # what the sheet names is what lies there
+        digest = hashlib.sha256((tmp_path / "out" / name).read_bytes()).hexdigest()[:12]
+        assert any(name in text for text in texts)
+        assert any(digest in text for text in texts)
+    # Those of cadgen cam stay those of its entry.
+    cadgen("cam", "--profile", "actual", "--formats", "dxf", "--out", "out", "--force", code=0)
+    cadgen("draw", "--only", "cam", "--profile", "actual", "--out", "out", code=1)
+    parts = json.loads((tmp_path / "out/manifest.json").read_text())["parts"]
+    assert not outlines & parts["carbon_free_car_cam_drawings"]["files"].keys()
+    assert any(outlines <= part["files"].keys() for part in parts.values())
 
 
 @pytest.mark.slow

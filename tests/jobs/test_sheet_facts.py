@@ -36,7 +36,9 @@ from cadgen.output.drawing.part_sheets import KeySeat, PartTexts, TurnedStep, tu
 from cadgen.output.drawing.shaft_fit import fillet, longer
 from cadgen.output.drawing.sheet import (
     EDGE,
+    FRAME_HEIGHT,
     HEIGHTS,
+    LEVEL,
     AngularDimension,
     Characteristic,
     Closed,
@@ -569,6 +571,26 @@ def test_the_rim_of_a_disc_stands_square_to_its_face_within_the_taper(sheets: di
     assert {each.letter for each in face.symbols if isinstance(each, DatumFeature)} == {"A", "B"}
     plain = plan_cam(load_design("workshop_car", ["tolerances.taper_mm="]), "actual", judged=False)
     assert not sheet_of(plain, NOWHERE).views[1].symbols
+
+
+def test_the_keyway_of_a_disc_has_a_frame_from_which_its_datum_hangs(sheets: dict[str, DrawingSheet]) -> None:
+    """GB/T 1184, grade 8: 0.01 mm up to a width of 3 mm; without a tolerance of the outline B is of nothing."""
+    sheet = sheets["workshop_car_actual"]
+    frames = {each.characteristic: each for each in sheet.views[0].symbols if isinstance(each, ToleranceFrame)}
+    keyway = frames[Characteristic.SYMMETRY]
+    assert (keyway.zone_text, keyway.datums) == ("0.01", ("A",))
+    (width,) = (each for each in sheet.views[0].dimensions if each.name == "keyway width")
+    assert isinstance(width, LinearDimension)
+    assert keyway.tip[0] == pytest.approx(width.at[0])  # in line with the dimension: of the middle
+    (middle,) = (each for each in sheet.views[0].symbols if isinstance(each, DatumFeature) and each.letter == "B")
+    near, far = sorted(keyway.bend[0] + keyway.side * (LEVEL + way) / sheet.scale for way in (0.0, sum(keyway.cells)))
+    assert near < middle.foot[0] < far
+    assert abs(middle.foot[1] - keyway.bend[1]) == pytest.approx(FRAME_HEIGHT / 2 / sheet.scale)
+    assert not apart(frame_boxes(sheet))
+    untold = sheet_of(plan_cam(load_design("workshop_car", ["tolerances="]), "actual", judged=False), NOWHERE)
+    (alone,) = (each for each in untold.views[0].symbols if isinstance(each, ToleranceFrame))
+    assert alone.characteristic == Characteristic.SYMMETRY
+    assert [each.letter for each in untold.views[0].symbols if isinstance(each, DatumFeature)] == ["A"]
 
 
 @pytest.mark.parametrize("code", ["plate_near", "plate_far"])

@@ -8,6 +8,7 @@
 | `placement`   | places for texts where few lines cross them                               |
 | `hole_frames` | frames of the seats in a plate, and its view from the side                |
 | `timing`      | timing diagram of a cam by its motion                                     |
+| `cam_turns`   | points where the outline of a cam turns, for its table                    |
 | `cam_sheet`   | sheet of a cam                                                            |
 | `gear_sheets` | sheets of the parts of a train, and of the plate that holds the axes      |
 | `assembly_sheet` | sheets of a car put together: views with balloons, steps of mounting     |

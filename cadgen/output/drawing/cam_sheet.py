@@ -10,16 +10,16 @@ import shapely
 from cadgen.arrays import TURN, Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.messages import Message
+from cadgen.output.drawing.cam_turns import OutlineTurn
 from cadgen.output.drawing.hole_frames import outline_tips
 from cadgen.output.drawing.placement import Room
 from cadgen.output.drawing.section import Layer, ScrewHole, edges_behind_cut, material, outlines_and_hatches
-from cadgen.output.drawing.shaft_fit import ShaftFit, deeper
+from cadgen.output.drawing.shaft_fit import ShaftFit, deeper, off_middle
 from cadgen.output.drawing.sheet import (
     BEYOND,
     EDGE,
     FRAME_HEIGHT,
     LEFT,
-    ROW,
     SHORT,
     SHOWN,
     SIZES,
@@ -63,6 +63,7 @@ from cadgen.output.drawing.sheet import (
     ring,
     rounded,
     section_name,
+    symmetry,
 )
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.parts.blank import Blank
@@ -79,6 +80,7 @@ _ARROW = 14.0  # mm on paper of the arrow at the zero mark
 _SHARP, _LEANING = 0.05, 0.02  # mm off sharp edges (ISO 13715), and off those on which a follower leans
 _TURNED = 1e-6  # rad, within which two directions are one
 _FRAMED = 2 * FRAME_HEIGHT  # mm on paper under a section, of a frame and its leader
+_STRAIGHT = 1000.0  # mm, of radii of curvature beyond which an outline is straight
 _STEEP = 0.35  # of the sine of the angle between that arrow and the plane of the section
 
 
@@ -139,6 +141,7 @@ class CamPart:
         radii: distance of the exact outline from the axis there, mm.
         greatest: greatest radius of the outline, and its polar angle: mm, rad.
         least: least radius, likewise.
+        turns: points where the outline turns, or the inner flank of a groove.
         blank: bore, keyway, hub, holes, broken edges.
         thickness: between the faces, mm.
         fit: fits and joint of the bore on its shaft.
@@ -166,6 +169,7 @@ class CamPart:
     radii: Array
     greatest: tuple[float, float]
     least: tuple[float, float]
+    turns: tuple[OutlineTurn, ...]
     blank: Blank
     thickness: float
     fit: ShaftFit
@@ -202,7 +206,7 @@ def cam_drawing(cam: CamPart, title: Title) -> DrawingSheet:
     def tables_of(size: str) -> tuple[SheetTable, ...]:
         width, height = SIZES[size]
         radii = _radii(cam, (width - EDGE - _TABLES, height - EDGE - 2.0))
-        tables = [*radii, _extremes(cam, (radii[0].at[0], radii[0].at[1] - radii[0].height + ROW - 2.0))]
+        tables = [*radii, _turns(cam, (radii[0].at[0], radii[0].at[1] - radii[0].height - 2.0))]
 
         def below() -> tuple[float, float]:
             return tables[-1].at[0], tables[-1].at[1] - tables[-1].height - 2.0
@@ -323,8 +327,7 @@ def _symbols(cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: f
         dimensions: dimensions of that view, as they are placed.
         scale: mm on paper for a mm of the part.
     """
-    if cam.profile_tolerance is not None:
-        yield from _profile_frames(cam, cam.profile_tolerance, room, dimensions, scale)
+    yield from _frames(cam, room, dimensions, scale)
     if not cam.blank.edge_break:
         flanks = (cam.profile,) if cam.groove is None else (cam.profile, cam.groove.outer)
         count, size = 3 - len(flanks), _LEANING if cam.leans else _SHARP
@@ -341,25 +344,39 @@ def _symbols(cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: f
         yield room.frame(sign, outline_tips(cam.blank.bore(), cam.blank.key.angle if cam.blank.key else None))
 
 
-def _profile_frames(
-    cam: CamPart, tolerance: float, room: Room, dimensions: Sequence[Dimension], scale: float
+def _frames(
+    cam: CamPart, room: Room, dimensions: Sequence[Dimension], scale: float
 ) -> Iterator[ToleranceFrame | DatumFeature]:
-    """Datums and the tolerance of the outline, or of both flanks of a groove.
+    """Datums, the symmetry of a keyway, and the tolerance of the outline, or of both flanks of a groove.
 
     Args:
         cam: cam.
-        tolerance: half width of its zone, mm.
         room: room in the view of its face.
         dimensions: dimensions of that view, as they are placed.
         scale: mm on paper for a mm of the part.
     """
-    named = {dimension.name: dimension for dimension in dimensions}
+    named, letters = {dimension.name: dimension for dimension in dimensions}, _datums(cam)
+    if not letters:
+        return
     bore = named["bore"]
     assert isinstance(bore, DiameterDimension)
     yield room.datum(axis_datum("A", bore))
-    if held := named.get("keyway width", named.get("across the flat")):
-        assert isinstance(held, LinearDimension)
-        yield room.datum(_middle_datum("B", held, scale))
+    if isinstance(cam.blank.key, Keyway):
+        width = named["keyway width"]
+        assert isinstance(width, LinearDimension)
+        end, out = free_end(width)
+        # To either side where the leader is upright.
+        ways = [(end, out + side * np.array([1e-6, 0.0])) for side in (-1.0, 1.0)]
+        keyway = room.frame(symmetry("keyway", off_middle(cam.blank.key.width)), ways, range(8, 60, 3))
+        yield keyway
+        if "B" in letters:  # the middle of the keyway, as the frame is of it
+            yield room.hung("B", keyway)
+    elif "B" in letters:
+        across = named["across the flat"]
+        assert isinstance(across, LinearDimension)
+        yield room.datum(_middle_datum("B", across, scale))
+    if cam.profile_tolerance is None:
+        return
     flanks = (
         {"outline": cam.profile}
         if cam.groove is None
@@ -369,8 +386,8 @@ def _profile_frames(
         frame = ToleranceFrame(
             name=name,
             characteristic=Characteristic.LINE_PROFILE,
-            zone=2 * tolerance,
-            datums=_datums(cam),
+            zone=2 * cam.profile_tolerance,
+            datums=letters,
             tip=(0.0, 0.0),
             bend=(1.0, 0.0),
             all_around=True,
@@ -544,7 +561,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
                 name="circle of holes",
                 centre=(0.0, 0.0),
                 diameter=ring_of_holes.circle_diameter,
-                angle=degrees(ring_of_holes.start_angle) - 180 / ring_of_holes.count,
+                angle=degrees(ring_of_holes.start_angle) + 180.0 + 180 / ring_of_holes.count,
             ),
         ]
     for name, angle, radius in _angles(cam):
@@ -685,9 +702,9 @@ def _taper_symbols(cam: CamPart, areas: Sequence[shapely.Polygon], scale: float)
 
 
 def _datums(cam: CamPart) -> tuple[str, ...]:
-    """Letters of the datums of the outline's frame: axis of the bore, and middle of its keyway or flat."""
+    """Letters of the datums on the face: axis of the bore, and middle of its keyway or flat for the outline's frame."""
     if cam.profile_tolerance is None:
-        return ()
+        return ("A",) if isinstance(cam.blank.key, Keyway) else ()
     return ("A", "B") if isinstance(cam.blank.key, Keyway | DFlat) else ("A",)
 
 
@@ -747,18 +764,17 @@ def _exact(cam: CamPart, title: Message) -> Message:
     return title if cam.profile_tolerance is None else Message("{table}: theoretically exact", table=title)
 
 
-def _extremes(cam: CamPart, at: tuple[float, float]) -> SheetTable:
-    """Greatest and least radius with their polar angles."""
-    most, least = Message("greatest"), Message("least")
-    (radius, angle), (low, at_low) = cam.greatest, cam.least
+def _turns(cam: CamPart, at: tuple[float, float]) -> SheetTable:
+    """Points where the outline turns, between the rows of the table of radii too."""
+    title, rows = Message("turning points; ρ: radius of curvature"), list[tuple[str, ...]]()
     if cam.groove is not None:
-        most, least = Message("outer, greatest"), Message("inner, least")
+        title = Message("turning points of the inner flank; ρ: radius of curvature")
         radius, angle = cam.groove.greatest
-    rows = [
-        (name, rounded(degrees(where) % 360, 1), f"{reach:.3f}")
-        for name, where, reach in ((most, angle, radius), (least, at_low, low))
-    ]
-    return SheetTable(title="", at=at, widths=(30.0, 13.0, 17.0), rows=(("", "θ, °", "R, mm"), *rows))
+        rows.append((Message("outer, greatest"), rounded(degrees(angle) % 360, 1), f"{radius:.3f}", ""))
+    for turn in cam.turns:
+        bend = rounded(turn.bend, 1) if turn.bend < _STRAIGHT else "∞"
+        rows.append((turn.word, rounded(degrees(turn.angle), 1), f"{turn.radius:.3f}", bend))
+    return SheetTable(title=title, at=at, widths=(38.0, 13.0, 17.0, 15.0), rows=(("", "θ, °", "R, mm", "ρ, mm"), *rows))
 
 
 def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> tuple[SheetTable, ...]:
@@ -786,10 +802,10 @@ def _notes(cam: CamPart) -> Iterator[str]:
         yield Message("The chain line is the path of the roller's centre.")
     yield Message("At the arrow of 0° stands the {follower} at cam angle 0.", follower=cam.on_ray)
     yield cam.sizes
-    yield Message("The table is for inspection; cut from a file (sha256):")
+    yield Message("Outline by a file (sha256); tables are for inspection:")
     yield from (f"   {name}  {digest[:SHOWN]}" for name, digest in cam.files)
     if not cam.files:
-        yield Message("   none lies in this folder: make one with cadgen cam.")
+        yield Message("   not stated; ask for it.")
     if not (blank.key or blank.mark):
         yield Message("Plain bore: scribe the arrow at θ = 0 before the part leaves the machine.")
     yield from cam.fit.notes(blank)

@@ -751,9 +751,8 @@ def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: Scre
 
 def _notes(gear: GearPart) -> Iterator[str]:
     for name, digest in gear.files:
-        yield Message("Solid: {name}  sha256 {digest}", name=name, digest=digest[:SHOWN])
-    if not gear.files:
-        yield Message("Solid: none lies in this folder: make it with cadgen gears.")
+        what = Message("Outline") if name.endswith(".dxf") else Message("Solid")
+        yield Message("{what}: {name}  sha256 {digest}", what=what, name=name, digest=digest[:SHOWN])
     blank = gear.part.blank
     if screw := ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread):
         yield from gear.fit.thread_note(drawn=bool(screw.thread))

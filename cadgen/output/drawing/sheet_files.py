@@ -91,7 +91,7 @@ _PATTERNS = {
 _THIN = 18
 # Letters that LibreCAD's fonts lack, and what stands for them in a DXF. The page has them.
 _SIGN = "%%c"  # of a diameter, as every reader knows it
-_PLAIN = str.maketrans({"θ": "theta", "–": "-", "—": "-", "−": "-"})
+_PLAIN = str.maketrans({"θ": "theta", "ρ": "rho", "–": "-", "—": "-", "−": "-"})
 _HATCH_STEP = 2.0  # mm on paper
 _ROUGHNESS = re.compile(r"R[a-z]\d* ?\d")  # such as Ra 1.6
 _HALF_TURN = np.linspace(0.0, np.pi, 33)

@@ -11,7 +11,7 @@ from cadgen import Design, DesignError
 from cadgen.jobs.drawings import Folder, sheet_of
 from cadgen.laws.table import codes, law_of
 from cadgen.messages import LANGUAGES, Message
-from cadgen.output.drawing.sheet import TEXT, DatumFeature, LineKind, SheetTable, Stroke, have_room
+from cadgen.output.drawing.sheet import TEXT, LineKind, SheetTable, Stroke, have_room
 from cadgen.output.drawing.sheet_files import NoFontError, table_widths, text_length
 from cadgen.output.drawing.timing import TimingDiagram
 from tests.jobs.test_gear_sheets import apart, frame_boxes
@@ -100,9 +100,8 @@ def test_a_column_that_lacks_room_for_wide_letters_takes_what_the_others_spare()
 
 def test_both_discs_of_a_pair_show_the_motion_of_their_lever(tmp_path):
     first, second = sheets("conjugate_pair", tmp_path)
-    assert [row[2] for table in first.tables for row in table.rows if len(row) == 4] == [
-        row[2] for table in second.tables for row in table.rows if len(row) == 4
-    ]
+    one, other = (next(each.rows for each in sheet.tables if each.title == "segments") for sheet in (first, second))
+    assert one == other
     assert "Second disc of a conjugate pair: key and angle 0 stand as on the first." in second.notes
 
 
@@ -144,7 +143,14 @@ def test_the_groove_has_both_flanks_width_depth_and_the_path_of_its_roller(tmp_p
     np.testing.assert_allclose(np.hypot(*path.T), 25.4 * (3 - np.cos(angle)), atol=1e-3)
     rows = [row for table in sheet.tables[:2] for row in table.rows[1:]]
     assert len(rows) == 36
-    assert sheet.tables[2].rows[1:] == (("outer, greatest", "180", "111.150"), ("inner, least", "0", "41.250"))
+    # A path r = a - b cos θ has the radius r² / (a - 2b) where r is least, and r² / (a + 2b) at the greatest.
+    assert [row[:3] for row in sheet.tables[2].rows[1:]] == [
+        ("outer, greatest", "180", "111.150"),
+        ("least", "0", "41.250"),
+        ("greatest", "180", "92.050"),
+    ]
+    bends = [float(row[3]) for row in sheet.tables[2].rows[2:]]
+    assert bends == pytest.approx([50.8**2 / 25.4 - 9.55, 101.6**2 / 127.0 - 9.55], abs=0.06)
     radii = {float(row[0]): (float(row[1]), float(row[2])) for row in rows}
     # Where the follower stands still, both flanks are at right angles to the ray.
     assert radii[0.0] == pytest.approx((50.8 - 9.55, 50.8 + 9.55), abs=1e-9)
@@ -210,7 +216,7 @@ def test_a_distance_of_discs_that_their_hub_needs_is_refused_and_a_missing_one_i
     assert missing == ["follower.second.gap_mm"]
 
 
-def test_letters_of_bore_and_flat_keep_apart_and_a_wide_keyway_has_its_letter_at_its_arrow(tmp_path):
+def test_letters_of_bore_and_flat_keep_apart_and_a_wide_keyway_has_its_frame_at_its_arrow(tmp_path):
     flat = {"blank.keyway": None, "blank.d_flat": {"across_mm": 13.5}, "blank.bore_diameter_mm": 15.0}
     sheet = sheet_of(Design.load("swinging_roller").with_(flat).cam().computed, Folder.at(tmp_path))
     view = sheet.views[0]
@@ -220,7 +226,6 @@ def test_letters_of_bore_and_flat_keep_apart_and_a_wide_keyway_has_its_letter_at
     assert all(box.bounds[1] > line + 1 for box, words in frame_boxes(sheet) if words == ("A",))
     (sheet,) = sheets("roller", tmp_path)
     (width,) = [each for each in sheet.views[0].dimensions if each.name == "keyway width"]
-    (letter,) = [each for each in sheet.views[0].symbols if isinstance(each, DatumFeature) and each.letter == "B"]
-    ends = sheet.scale * np.abs(np.array([width.start, width.end]) - letter.foot)
-    tail = 0.0 if sheet.scale * np.hypot(*np.subtract(width.end, width.start)) > 5.6 else 5.0
-    assert ends[:, 1].min() == pytest.approx(tail, abs=1e-6)
+    (frame,) = [each for each in sheet.views[0].symbols if getattr(each, "name", "") == "keyway"]
+    assert np.abs(np.array([width.start, width.end])[:, 1] - frame.tip[1]).min() == pytest.approx(0.0, abs=1e-9)
+    assert apart(frame_boxes(sheet)) == []
