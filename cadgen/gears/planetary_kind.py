@@ -7,7 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 from annotated_types import Ge, Gt, Le
 
+from cadgen.errors import DesignError
 from cadgen.gears.choices import HeldMember, HelixHand, Spacing
+from cadgen.gears.fits import zones_of
 from cadgen.gears.stage_kind import StageKind, ToothedTrain
 from cadgen.messages import Message
 
@@ -44,6 +46,9 @@ class PlanetKeys:
     bore_diameter_mm: Annotated[float, Ge(0), Le(500), "of the planets, and of the carrier's holes for their pins"] = (
         0.0
     )
+    bore_fit: Annotated[
+        str | None, "of the planets' bores on the pins by ISO 286, such as `F8/h6`; for the drawing"
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -96,6 +101,9 @@ class PlanetaryKeys:
     pin_place_um: Annotated[
         float, Ge(0), Le(1e4), "by which a pin may stand off its place round the axis, to either side"
     ] = 0.0
+    pin_fit: Annotated[
+        str | None, "of the carrier's holes and the pins in them by ISO 286, such as `P7/h6`; for the drawing"
+    ] = None
     sun: Annotated[SunKeys, "sun"]
     planet: Annotated[PlanetKeys, "planets"]
     ring: Annotated[PlanetaryRingKeys | None, "ring; left out, one that suits sun and planets"] = None
@@ -114,6 +122,35 @@ class PlanetaryKeys:
         if any(given) and self.backlash_um is not None:
             raise ValueError(
                 Message("{here}.backlash_um and E_sn_um of its gears are both given: remove one of them", here="{here}")
+            )
+        pins = {}
+        for key, fit in (("pin_fit", self.pin_fit), ("planet.bore_fit", self.planet.bore_fit)):
+            if fit is None:
+                continue
+            if not self.planet.bore_diameter_mm:
+                raise ValueError(
+                    Message(
+                        "{here}.{key} needs the pins that it is of: give {here}.planet.bore_diameter_mm",
+                        here="{here}",
+                        key=key,
+                    )
+                )
+            try:
+                *_, letter, grade = zones_of(fit, self.planet.bore_diameter_mm)
+            except DesignError as error:
+                raise ValueError(
+                    Message("{here}.{key}: {error}", here="{here}", key=key, error=error.message)
+                ) from None
+            pins[key] = f"{letter}{grade}"
+        if len(set(pins.values())) > 1:
+            raise ValueError(
+                Message(
+                    "{here}.pin_fit has pins of {one} and planet.bore_fit of {other}: give both the same class, as "
+                    "the pins are the same",
+                    here="{here}",
+                    one=pins["pin_fit"],
+                    other=pins["planet.bore_fit"],
+                )
             )
 
 

@@ -26,7 +26,7 @@ from cadgen.errors import CheckError, DesignError, FileError
 from cadgen.figures import Facts, Figures, with_unit
 from cadgen.gears.cutting import sheet_notes
 from cadgen.gears.layout import TrainLayout, TrainPart
-from cadgen.gears.planetary_stage import Carrier
+from cadgen.gears.planetary_stage import PLANET, Carrier
 from cadgen.gears.rack_stage import Bar
 from cadgen.gears.stage import Mating, Stage, Wheel, holes_of, is_bar, is_ring, rim_diameter
 from cadgen.gears.tolerances import run_outs, tip_tolerance
@@ -42,7 +42,7 @@ from cadgen.output.drawing.cam_sheet import EVERY, CamPart, Neighbour, SheetGroo
 from cadgen.output.drawing.cam_turns import outline_turns
 from cadgen.output.drawing.gear_sheets import GearPart, gear_drawing, gear_rows, plate_drawing
 from cadgen.output.drawing.hole_frames import seat_zones
-from cadgen.output.drawing.shaft_fit import fillet, hole_class, limits
+from cadgen.output.drawing.shaft_fit import ShaftFit, fillet, hole_class, limits
 from cadgen.output.drawing.sheet import DrawingSheet, Title, scale_text
 from cadgen.output.drawing.timing import TimingDiagram
 from cadgen.output.files.dxf import gear_outlines
@@ -363,22 +363,28 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             continue
         stem = f"{plan.stem}_{part.name}"
         data, blanks, places = [], [], [0.0]
+        in_carrier: str | None = None
         for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives, double=getattr(wheel, "double", False)))
             if holes_of(wheel):  # where no place is stated the pins keep the deviation of their distance
                 stated = getattr(layout.train.stages[number - 1], "pin_place", 0.0)
                 places.append(stated or pair.distance_deviation or 0.0)
+                pins = plan.making.pins.get(number)
+                in_carrier = pins.carrier if pins else None
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined([_kind_of(gear) for gear in part.gears], " and ")
         made = plan.making.shaft(part.shaft, len(layout.on_shafts))
         place = Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft)
+        fit = made.fit
+        if part.figures == PLANET and part.stages[0] in plan.making.pins:
+            fit = ShaftFit(bore=plan.making.pins[part.stages[0]].planets)
         if part.beside:
             place = Message("Stage {number} of the train, counted from the drive.", number=part.stages[0])
         sheet = GearPart(
             part=part,
-            fit=made.fit,
+            fit=fit,
             data=tuple(data),
             files=folder.files(stem, origin.content_hash, _PART_ENDINGS),
             pitch_diameters=tuple(
@@ -391,6 +397,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             tip_limits=tuple(map(_tip_limits, part.gears)),
             run_outs=tuple(blanks),
             pins=2 * max(places),
+            pin_class=hole_class(in_carrier),
             parallel=of_stages[-1].distance_deviation or 0.0 if is_bar(part.gears[0]) else 0.0,
         )
         name = Message("{part}: {bodies}", part=part.name, bodies=bodies)

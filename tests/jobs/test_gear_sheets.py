@@ -7,6 +7,7 @@ import pytest
 import shapely
 
 from cadgen.design.load import train_of
+from cadgen.errors import DesignError
 from cadgen.figures import Figure, Figures
 from cadgen.gears.rack import RackForm
 from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance, run_outs, tip_tolerance
@@ -401,3 +402,35 @@ def frame_boxes(sheet: DrawingSheet) -> list:
                 half = FRAME_HEIGHT / 2
                 found.append((shapely.box(x - half, y - half, x + half, y + half), (symbol.letter,)))
     return found
+
+
+def test_pins_have_their_fits_in_carrier_and_planets(tmp_path) -> None:
+    """ISO 286-2, over 3 up to 6 mm: P7 is -8 and -20 µm, F8 +28 and +10 µm."""
+    fits = PLANETARY.replace("bore_diameter_mm = 4.0 }", 'bore_diameter_mm = 4.0, bore_fit = "F8/h6" }')
+    plan = plan_gears(
+        train_of(fits.replace("pin_place_um", 'pin_fit = "P7/h6"\npin_place_um'), tmp_path / "train.toml")
+    )
+    drawn = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
+    (hole,) = (each for view in drawn["2_wheel"].views for each in view.dimensions if each.name == "hole")
+    assert (hole.prefix, hole.suffix) == ("3 × ", " P7")
+    limits = [table for table in drawn["2_wheel"].tables if table.title == "limits, mm"]
+    assert [table.rows for table in limits] == [(("Ø4 P7", "-0.008/-0.02"),)]
+    (bore,) = (each for view in drawn["stage1_planet_1"].views for each in view.dimensions if each.name == "bore")
+    assert bore.suffix == " F8"
+    limits = [table for table in drawn["stage1_planet_1"].tables if table.title == "limits, mm"]
+    assert [table.rows for table in limits] == [(("Ø4 F8", "+0.028/+0.01"),)]
+    assert not any("not stated" in note for stem in ("stage1_planet_1",) for note in drawn[stem].notes)
+    assert not any("Fit of the pins" in note for note in drawn["2_wheel"].notes)
+    assert "train.stages.1.pin_fit" not in plan.making.open_keys(2).values()
+
+
+def test_pins_without_fits_are_named_and_those_of_two_classes_refused(sheets, tmp_path) -> None:
+    assert any("Fit of the pins: not stated" in note for note in sheets["planetary"]["2_wheel"].notes)
+    place = tmp_path / "train.toml"
+    open_keys = plan_gears(train_of(PLANETARY, place)).making.open_keys(2).values()
+    assert {"train.stages.1.pin_fit", "train.stages.1.planet.bore_fit"} <= set(open_keys)
+    two = PLANETARY.replace("bore_diameter_mm = 4.0 }", 'bore_diameter_mm = 4.0, bore_fit = "F8/h6" }')
+    with pytest.raises(DesignError, match=r"pins of g6 and .* of h6"):
+        train_of(two.replace("pin_place_um", 'pin_fit = "P7/g6"\npin_place_um'), place)
+    with pytest.raises(DesignError, match="pin_fit needs the pins"):
+        train_of(PLANETARY.replace(", bore_diameter_mm = 4.0 }", ' }\npin_fit = "P7/h6"'), place)

@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from cadgen.design.gear_model import made_by
-from cadgen.design.train import GearBlankSection, PlateSection, TrainSection
+from cadgen.design.train import GearBlankSection, PlateSection, SpurStage, TrainSection
 from cadgen.gears.cutting import Made
+from cadgen.gears.planetary_kind import PlanetaryKeys
 from cadgen.messages import Message
 from cadgen.output.drawing.shaft_fit import ShaftFit
 
@@ -36,6 +37,19 @@ class ShaftMaking:
 
 
 @dataclass(frozen=True, slots=True)
+class PinMaking:
+    """Fits of the pins of a planetary stage.
+
+    Attributes:
+        planets: fit of the planets on their pins; None where the design does not say.
+        carrier: fit of the pins in the carrier; None where the design does not say.
+    """
+
+    planets: str | None
+    carrier: str | None
+
+
+@dataclass(frozen=True, slots=True)
 class TrainMaking:
     """Materials and fits of a train for its drawings.
 
@@ -45,6 +59,7 @@ class TrainMaking:
         own: parts on shafts between that have features of their own, by the number of the shaft.
         output: part on the camshaft.
         beside: parts beside the shafts, as planets are.
+        pins: fits of the pins of planets, by the number of their stage; of stages with pins alone.
         plate: material of the plates; None where the design does not say.
         holes: fit of their holes; None where the design does not say.
         plate_thickness: thickness of the plates, mm; None where the design does not say.
@@ -56,6 +71,7 @@ class TrainMaking:
     own: Mapping[int, ShaftMaking]
     output: ShaftMaking
     beside: ShaftMaking
+    pins: Mapping[int, PinMaking]
     plate: str | None
     holes: str | None
     plate_thickness: float | None
@@ -83,6 +99,13 @@ class TrainMaking:
             },
             shaft("output", keys.output),
             shaft("beside", GearBlankSection()),
+            {
+                number: PinMaking(stage.keys.planet.bore_fit, stage.keys.pin_fit)
+                for number, stage in enumerate(keys.stages, 1)
+                if not isinstance(stage, SpurStage)
+                and isinstance(stage.keys, PlanetaryKeys)
+                and stage.keys.planet.bore_diameter_mm
+            },
             plate.material,
             plate.hole_fit,
             plate.thickness_mm,
@@ -118,6 +141,13 @@ class TrainMaking:
             if part.screwed and not part.fit.thread:
                 name = Message("thread of the set screw, {place}", place=part.word)
                 keys[name] = f"train.{part.place}.hub.set_screw_thread"
+        for number, pins in self.pins.items():
+            if not pins.planets:
+                name = Message("fit of the planets on their pins, stage {number}", number=number)
+                keys[name] = f"train.stages.{number}.planet.bore_fit"
+            if not pins.carrier:
+                name = Message("fit of the pins in the carrier, stage {number}", number=number)
+                keys[name] = f"train.stages.{number}.pin_fit"
         if not self.plate:
             keys[Message("material of the plates")] = "train.plate.material"
         if not self.holes:

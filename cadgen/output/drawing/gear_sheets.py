@@ -195,6 +195,7 @@ class GearPart:
         tip_limits: limits of each gear's tip diameter as they follow it; empty where it has none.
         run_outs: circular run-out of each gear's tip circle and of the face, mm; None where none is stated.
         pins: zone of the places of a carrier's pin holes, mm; 0 where none is stated.
+        pin_class: class of a carrier's pin holes; empty where none is stated.
         parallel: parallelism of a rack's tips to its back, mm; 0 where the distance of its pinion has no tolerance.
         flank_texture: texture of the flanks of teeth; empty where it is that of the title block.
         bore_texture: texture of the bore, likewise.
@@ -210,6 +211,7 @@ class GearPart:
     tip_limits: tuple[str, ...]
     run_outs: tuple[tuple[float, float] | None, ...] = ()
     pins: float = 0.0
+    pin_class: str = ""
     parallel: float = 0.0
     flank_texture: str = ""
     bore_texture: str = ""
@@ -223,6 +225,11 @@ class GearPart:
     def face_run_out(self) -> float | None:
         """Run-out of the lower face, the least that any gear of the part asks for, mm."""
         return min((each[1] for each in self.run_outs if each is not None), default=None)
+
+    @property
+    def pins_in_carrier(self) -> tuple[float, str]:
+        """Diameter of a carrier's holes for pins, mm, and their class; zero and empty where none is stated."""
+        return (_hole_sizes(_drilled(self.part))[0], self.pin_class) if self.pin_class else (0.0, "")
 
     @property
     def has_datum(self) -> bool:
@@ -255,7 +262,7 @@ def gear_drawing(gear: GearPart, title: Title) -> DrawingSheet:
         width, height = SIZES[size]
         at = (width - EDGE - table_width, height - EDGE - 2.0)
         data = SheetTable(title=title_of_table, at=at, widths=widths, rows=rows, headed=False)
-        fits = gear.fit.table(gear.part.blank, (at[0], at[1] - data.height - 2.0))
+        fits = gear.fit.table(gear.part.blank, (at[0], at[1] - data.height - 2.0), gear.pins_in_carrier)
         return (data, fits) if fits else (data,)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
@@ -467,7 +474,14 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         if abs(sin(radians(between))) < 0.3:  # along the plane of the section
             between += 90 / len(holes)
         dimensions += [
-            DiameterDimension(name="hole", centre=at, diameter=size, angle=angle, prefix=many),
+            DiameterDimension(
+                name="hole",
+                centre=at,
+                diameter=size,
+                angle=angle,
+                prefix=many,
+                suffix=f" {gear.pin_class}" if gear.pin_class else "",
+            ),
             DiameterDimension(
                 name="circle of holes",
                 centre=(0.0, 0.0),
@@ -770,14 +784,14 @@ def _notes(gear: GearPart) -> Iterator[str]:
         yield Message("A tooth of each gear stands over the middle of the flat.")
     drilled = _drilled(gear.part)
     if drilled and gear.part.gears[-1].tip_diameter > gear.part.gears[0].tip_diameter:
-        size, circle = map(rounded, _hole_sizes(drilled))
+        diameter, circle = _hole_sizes(drilled)
         yield Message(
             "The holes, {count} × Ø{size} on Ø{circle}, are in the lower gear.",
             count=len(drilled),
-            size=size,
-            circle=circle,
+            size=f"{rounded(diameter)}{limited(diameter, gear.pin_class)}",
+            circle=rounded(circle),
         )
-    if any(map(holes_of, gear.part.gears)):
+    if any(map(holes_of, gear.part.gears)) and not gear.pin_class:
         yield Message("Fit of the pins: not stated; choose it with the pins.")
     if blank.bore_diameter and gear.part.beside and not gear.fit.bore:
         yield Message("Fit of the bore: not stated; choose it with the pin.")

@@ -97,12 +97,13 @@ class ShaftFit:
         """Class of the bore across its flat, likewise."""
         return _after(hole_class(self.joint_fit)) if self.joint == ShaftJoint.D_FLAT else ""
 
-    def table(self, blank: Blank, at: tuple[float, float]) -> SheetTable | None:
+    def table(self, blank: Blank, at: tuple[float, float], pins: tuple[float, str] = (0.0, "")) -> SheetTable | None:
         """Limit deviations of the classes of bore and keyway or flat; None where no class is stated.
 
         Args:
             blank: bore and keyway or flat of the part.
             at: upper left corner on the paper, mm.
+            pins: diameter of holes for pins, mm, and their class; empty where there is none.
         """
         bore, key = blank.bore_diameter, blank.key
         sizes = []
@@ -112,6 +113,7 @@ class ShaftFit:
             sizes.append(("", key.width, key.width, self.key_class(key.width)))
         if isinstance(key, DFlat):
             sizes.append(("", bore - key.depth, bore, self.flat_class))
+        sizes.append((DIAMETER, pins[0], pins[0], _after(pins[1])))
         rows = tuple(
             (f"{sign}{rounded(size)}{named}", limited(by, named.strip()).partition("(")[2].rstrip(")"))
             for sign, size, by, named in sizes
