@@ -39,6 +39,12 @@ class BarKeys:
         None
     )
     T_sn_um: Annotated[float, Ge(0), Le(1e4), "width of the zone of its thickness"] = 50.0
+    grade: Annotated[
+        int | None,
+        Ge(3),
+        Le(12),
+        "tolerance grade of ISO 1328-1, as of a gear of as many teeth; left out, that of the train",
+    ] = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -124,6 +130,7 @@ def _build(keys: RackKeys, train: ToothedTrain) -> RackStage:
         distance=touching if keys.distance_mm is None else keys.distance_mm,
         bearing_span=train.bearing_span,
         rack_zone=keys.rack.T_sn_um * 1e-3,
+        rack_grade=keys.rack.grade or (None if train.without_standard else train.grade),
         distance_deviation=None if deviation is None else deviation * 1e-3,
         backlash=None if keys.backlash_um is None else keys.backlash_um * 1e-3,
         deviations=tuple(None if each is None else each * 1e-3 for each in given),

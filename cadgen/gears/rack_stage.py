@@ -3,6 +3,9 @@
 The rack stands at its distance from the pinion's axis, in the direction of the stage, with its middle beside that axis.
 Its play along the pitch line is 2 (h − r − x m_n) tan α_t − ΣE_sn / cos β; over the pinion's reference radius it is an
 angle, which is how the train adds it up.
+
+ISO 1328-1 is of gears alone. Pitch, profile and helix of a rack are held as those of a gear of as many teeth: its
+circle π d rolled out is the rack's length, so d = z m_t, and a cumulative deviation goes by the length.
 """
 
 from __future__ import annotations
@@ -34,7 +37,7 @@ from cadgen.gears.spur import (
     room_checks,
 )
 from cadgen.gears.stage import LEAST_OVERLAP, Engage, Stage, Wheel, cycle
-from cadgen.gears.tolerances import centre_distance_deviation
+from cadgen.gears.tolerances import centre_distance_deviation, flank_tolerance
 from cadgen.gears.tooth import tooth_of
 from cadgen.messages import Message
 from cadgen.parts.loop import Loop
@@ -121,6 +124,7 @@ class RackStage(Stage):
         centre_distance: distance of the pinion's axis from the rack's reference line.
         bearing_span: between the bearings of the pinion's shaft.
         rack_zone: width of the zone of the rack's thickness.
+        rack_grade: tolerance grade of the rack; None for none.
         distance_deviation_given: deviation of the distance; None for the standard's.
         travel: travel that the rack must allow; None for as far as it reaches.
     """
@@ -130,6 +134,7 @@ class RackStage(Stage):
     centre_distance: float
     bearing_span: float
     rack_zone: float
+    rack_grade: int | None = None
     distance_deviation_given: float | None = None
     travel: float | None = None
 
@@ -188,8 +193,25 @@ class RackStage(Stage):
 
     @property
     def grades(self) -> tuple[int | None, int | None]:
-        """Grade by ISO 1328 of the pinion."""
-        return self.pinion.grade, None
+        """Grades by ISO 1328 of pinion and rack."""
+        return self.pinion.grade, self.rack_grade
+
+    @property
+    def rack_tolerances(self) -> dict[str, float]:
+        """Tolerances f_pt, F_p, F_α and F_β of the rack, mm; none without a grade or beyond the standard's sizes."""
+        rack = self.rack
+        if self.rack_grade is None:
+            return {}
+        diameter, second = rack.length / pi, {"F_beta": rack.width}
+        try:
+            return {
+                symbol: float(
+                    flank_tolerance(symbol, diameter, second.get(symbol, rack.normal_module), self.rack_grade)
+                )
+                for symbol in ("f_pt", "F_p", "F_alpha", "F_beta")
+            }
+        except DesignError:
+            return {}
 
     def play(self) -> RackPlay:
         """Play within the tolerances: distance, both thicknesses, and the pinion's composite error.
@@ -369,6 +391,7 @@ class RackStage(Stage):
             Figure("E_sn", "E_sn", rack.tooth_thickness_deviation * 1e3, "µm"),
             Figure("E_sns", "E_sns", thick * 1e3, "µm"),
             Figure("E_sni", "E_sni", thin * 1e3, "µm"),
+            *(Figure(symbol, symbol, value * 1e3, "µm") for symbol, value in self.rack_tolerances.items()),
             Figure("pin_diameter", Message("pin diameter"), rack.pin_diameter, "mm"),
             Figure("over_pin_max", Message("height over a pin, greatest"), rack.over_pin(thick), "mm"),
             Figure("over_pin_min", Message("height over a pin, least"), rack.over_pin(thin), "mm"),
@@ -383,6 +406,7 @@ def rack_stage(
     distance: float,
     bearing_span: float,
     rack_zone: float,
+    rack_grade: int | None = None,
     distance_deviation: float | None = None,
     backlash: float | None = None,
     deviations: Sequence[float | None] = (None, None),
@@ -396,6 +420,7 @@ def rack_stage(
         distance: distance of the pinion's axis from the reference line, mm.
         bearing_span: between the bearings of the pinion's shaft, mm.
         rack_zone: width of the zone of the rack's thickness, mm.
+        rack_grade: tolerance grade of the rack; None for none.
         distance_deviation: deviation of the distance, mm; None for the standard's.
         backlash: play along the rack, mm; None for so much that none jams within the tolerances.
         deviations: deviations E_sn of pinion and rack that are given, mm; None for what the play asks.
@@ -413,6 +438,7 @@ def rack_stage(
             centre_distance=distance,
             bearing_span=bearing_span,
             rack_zone=rack_zone,
+            rack_grade=rack_grade,
             distance_deviation_given=distance_deviation,
             travel=travel,
         )

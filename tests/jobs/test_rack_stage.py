@@ -101,6 +101,20 @@ def test_refusals_name_what_works(old, new, words, cure):
     assert Design.from_toml(text.replace(*cure), "bar", train_only=True).gears().passed
 
 
+def test_a_rack_is_held_as_a_gear_of_as_many_teeth():
+    """ISO 1328-1:1995, tables 1 to 3, for grade 7, d over 20 up to 50 mm, m over 0.5 up to 2, b over 4 up to 10 mm."""
+    stage = made().layout.train.stages[-1]
+    assert stage.grades[1] == 7
+    printed = {"f_pt": 10.0, "F_p": 29.0, "F_alpha": 10.0, "F_beta": 13.0}
+    assert {symbol: round(value * 1e3, 1) for symbol, value in stage.rack_tolerances.items()} == printed
+    bar = stage.wheel_figures()[1]
+    assert {symbol: bar.value(symbol) for symbol in printed} == pytest.approx(printed)
+    finer = made("rack = { teeth = 30", "rack = { grade = 5, teeth = 30").layout.train.stages[-1]
+    assert finer.rack_tolerances["f_pt"] == pytest.approx(0.005)
+    free = made("bearing_span_mm = 60.0\n", 'bearing_span_mm = 60.0\nstandard = "free"\n').layout.train.stages[-1]
+    assert free.rack_tolerances == {}
+
+
 def test_a_rack_ends_the_train_and_turns_no_cam():
     last = TRAIN.partition("[[train.stages]]\nkind")[2].partition("[train.drive]")[0]
     swapped = TRAIN.replace(f"[[train.stages]]\nkind{last}", "").replace(

@@ -103,6 +103,11 @@ def gear_rows(
         value = gear.value(code)
         return "" if value is None else f"{round(value, 9) + 0.0:.6g}"  # no -0
 
+    def zone(code: str) -> str:
+        value = gear.value(code)
+        sign = "± " if code == "f_pt" else ""
+        return "" if value is None else f"{sign}{value:g} µm"
+
     def limits(name: str) -> str:
         most, least = gear.value(f"{name}_max"), gear.value(f"{name}_min")
         if most is None or least is None:
@@ -124,6 +129,7 @@ def gear_rows(
     factors = ", ".join(filter(None, rack))
     apart, deviation = rounded(stage.centre_distance, 4), stage.distance_deviation
     pins, gauge = Message("over balls, mm") if helix else Message("over pins, mm"), gauge_in(gear)
+    as_gear = Message("{grade}, as of a gear of z = {teeth}", grade=grade, teeth=plain("teeth"))
     rows: list[tuple[str, str]] = [
         (Message("module m_n"), mm("module", 4)),
         (Message("teeth z"), Message("{teeth}, inside", teeth=plain("teeth")) if ring else plain("teeth")),
@@ -148,7 +154,8 @@ def gear_rows(
             else Message("arc"),
         ),
         (Message("face width"), f"2 × {rounded(width / 2)} mm" if double and width else mm("width")),
-        (Message("grade, ISO 1328-1"), "" if grade is None or exact else str(grade)),
+        (Message("grade, ISO 1328-1"), "" if grade is None or exact else as_gear if length else str(grade)),
+        *((name, zone(code)) for name, code in _FLANKS),
         (Message("centre distance, mm"), f"{apart} ± {deviation:.4f}" if deviation else apart),
         (Message("meshes with"), mates[0]),
         *((Message("and with"), mate) for mate in mates[1:]),
@@ -172,6 +179,13 @@ def gear_rows(
     return tuple(row for row in rows if row[1])
 
 
+# Deviations of a rack's flanks that its sheet states: no standard of racks goes by a grade alone.
+_FLANKS = (
+    (Message("single pitch f_pt"), "f_pt"),
+    (Message("total pitch F_p"), "F_p"),
+    (Message("profile F_alpha"), "F_alpha"),
+    (Message("helix F_beta"), "F_beta"),
+)
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
 _ON_LINE, _LEADER = 3.6, 7.0  # mm on paper along an extension line to a leader, and length of the leader
 _SAME = 0.01  # mm, within which an outline has the tip circle of a gear
