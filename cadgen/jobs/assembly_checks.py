@@ -1,11 +1,12 @@
 """Whether a car with all its parts stands on its wheels at its speed, and has the energy for its path."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from math import inf
 
 import numpy as np
 
-from cadgen.car.assembly.car_parts import Content
+from cadgen.car.assembly.car_parts import Block, Content
 from cadgen.car.running.tipping import Tipping, tipping
 from cadgen.check import Bound, Check, CheckCode, failing
 from cadgen.design.load import with_overrides
@@ -13,7 +14,7 @@ from cadgen.errors import DesignError
 from cadgen.jobs.cam.cam_plan import CamPlan
 from cadgen.jobs.cam.mechanics import energy_verdict
 from cadgen.jobs.cam.steered_car import SteeredCar
-from cadgen.jobs.car_assembly import PlacedParts, parts_in
+from cadgen.jobs.car_assembly import PlacedParts, borne, parts_in
 from cadgen.jobs.car_frame import frame_in
 from cadgen.jobs.car_layout import layout_of
 from cadgen.messages import Message
@@ -49,7 +50,26 @@ def assembly_verdict(assembly: PlacedParts) -> PartVerdict:
     if CheckCode.WEIGHT_PULL in wrong:
         advice = _pull_cure(assembly, drums=CheckCode.ENERGY_LEFT not in wrong)
         checks = tuple(replace(each, advice=advice) if each.code == CheckCode.WEIGHT_PULL else each for each in checks)
-    return PartVerdict((_tipping_check(assembly), *checks), spent.reservations)
+    return PartVerdict((_tipping_check(assembly), *checks), (*spent.reservations, *_seats_in_bearings(assembly)))
+
+
+def _seats_in_bearings(assembly: PlacedParts) -> Iterator[Reservation]:
+    """Reservations on seats of keys that run into a plate, where the bearing or the hole of their shaft is."""
+    for part in assembly.parts:
+        for seat in part.shape.seats if isinstance(part.shape, Block) else ():
+            zones = borne(assembly.layout, part.shaft)
+            into = max((min(seat.high, high) - max(seat.low, low) for low, high in zones), default=0.0)
+            if into > 1e-6:
+                yield Reservation(
+                    "key-seat-in-bearing",
+                    Message(
+                        "the seat of the key {key} in shaft {shaft} runs {into:.2g} mm into its bearing",
+                        key=seat.key.size if seat.key else "",
+                        shaft=part.shaft,
+                        into=into,
+                    ),
+                    Message("take a narrower keyway, or set what it holds {into:.2g} mm off the bearing", into=into),
+                )
 
 
 def _spent(assembly: PlacedParts) -> PartVerdict:

@@ -357,12 +357,30 @@ class _Parts:
         height = min(height, seat + key.depth)
         length = key_length(key.width, high - low)
         if length is None:
-            low, high = max(ends[0], first), min(ends[1], last)
+            low, high = self._off_bearings(key.width / 2, (max(ends[0], first), min(ends[1], last)), shaft)
             return low, ParallelKey("B", key.width, height, high - low)
         return (low + high - length) / 2, ParallelKey("A", key.width, height, length)
 
+    def _off_bearings(self, beyond: float, ends: tuple[float, float], shaft: int) -> tuple[float, float]:
+        """Ends of a square key whose seat stays off the bearings, mm; unchanged where less than half of it is left.
+
+        Args:
+            beyond: length by which the seat runs out beyond the key, mm.
+            ends: heights of the key, mm.
+            shaft: number of the shaft, from 1.
+        """
+        low, high = ends
+        for start, end in borne(self.car, shaft):
+            if end <= (ends[0] + ends[1]) / 2:
+                low = max(low, end + beyond)
+            else:
+                high = min(high, start - beyond)
+        return (low, high) if high - low >= (ends[1] - ends[0]) / 2 else ends
+
     def _seat(self, key: Keyway, angle: float, ends: tuple[float, float], shaft: int) -> KeySlot:
         """Seat of a key, as an end mill leaves it: as long as a round key, beyond a square one by half its width.
+
+        A square key beside a bearing is shorter than its hub, so that its seat ends before the bearing.
 
         Near the end of the shaft it is open.
 
@@ -723,6 +741,19 @@ class _Parts:
                 further=count,
                 how=Message("in the hubs that are tapped for them"),
             )
+
+
+def borne(car: CarLayout, shaft: int) -> tuple[tuple[float, float], ...]:
+    """Heights between which a shaft lies in the plates, whose bearings or holes take it, mm; none of one that ends.
+
+    Args:
+        car: train in its car.
+        shaft: number of the shaft, from 1.
+    """
+    if car.arrangement is None or car.site.ending[shaft - 1]:
+        return ()
+    half, place = car.site.plate / 2, car.arrangement.place
+    return tuple((z - half, z + half) for z in sorted((place.near, place.far)))
 
 
 def _box(left: float, right: float, low: float, high: float) -> Contour:
