@@ -633,6 +633,8 @@ def test_a_packaged_design_states_what_its_sheets_need(name: str) -> None:
     if isinstance(design, Design):
         train = gear_model.train_keys(design)
         assert TrainMaking.of(train).open_keys(len(train.stages) + 1) == {}
+        made = gear_model.makings(design, len(train.stages) + 1)
+        assert all(each.cutting and (each.apart or each.place in ("drive", "output")) for each in made)
         assert design.tolerances.profile_offset_mm
     else:
         assert design.lift_tolerances.base_circle_um

@@ -103,7 +103,11 @@ UNSTATED = {
     "blank.bore_fit": None,
     "train.material": None,
     "train.plate": None,
-    **{f"train.{place}.{key}": None for place in ("drive", "intermediate", "output") for key in ("bore_fit", "joint")},
+    **{
+        f"train.{place}.{key}": None
+        for place in ("drive", "intermediate", "output")
+        for key in ("bore_fit", "joint", "cut_apart")
+    },
     "train.drive.hub.set_screw_thread": None,
 }
 
