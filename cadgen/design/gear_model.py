@@ -93,6 +93,15 @@ def blanks(design: TrainDesign) -> Blanks:
     )
 
 
+_JOINED = {
+    ShaftJoint.CLAMPED: Message("clamped"),
+    ShaftJoint.PINNED: Message("pinned"),
+    ShaftJoint.GLUED: Message("glued"),
+    ShaftJoint.KEYED: Message("held by the key"),
+    ShaftJoint.D_FLAT: Message("held by the flat"),
+}
+
+
 def made_by(keys: TrainSection, place: str, blank: GearBlankSection) -> Made:
     """How the teeth of a part are made.
 
@@ -101,7 +110,8 @@ def made_by(keys: TrainSection, place: str, blank: GearBlankSection) -> Made:
         place: place of the part in it.
         blank: section of the part.
     """
-    return Made(place, blank.cutting or keys.cutting, bool(blank.cut_apart), keys.cutter_diameter_mm)
+    joined = _JOINED[blank.joint] if blank.joint else ""
+    return Made(place, blank.cutting or keys.cutting, bool(blank.cut_apart), keys.cutter_diameter_mm, joined)
 
 
 def makings(design: TrainDesign, shafts: int) -> tuple[Made, ...]:

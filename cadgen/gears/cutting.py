@@ -52,12 +52,14 @@ class Made:
         cutting: how its teeth are cut; None where it is not stated.
         apart: whether its gears are cut as two parts and joined.
         cutter: diameter of the hob or the disc cutter, mm; None for the usual one.
+        joined: what joins gears that are cut apart, in words.
     """
 
     place: str
     cutting: Cutting | None = None
     apart: bool = False
     cutter: float | None = None
+    joined: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,7 +193,7 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
     if how is not None and any(isinstance(gear, GearForm) for gear in part.gears):
         yield Message("Teeth: {how}.", how=CUT[how])
     if made.apart and len(part.gears) > 1:
-        yield Message("Lower and upper gear: cut apart, then joined.")
+        yield Message("Lower and upper gear: cut apart, then {joined}.", joined=made.joined)
         return
     for each in () if how == Cutting.PRINTED else blocked(part):
         gear = Message("upper gear") if each.number else Message("lower gear")

@@ -70,10 +70,10 @@ def test_a_gear_is_blocked_where_the_other_stands_over_its_roots(lower: int, upp
 def test_a_shaft_with_one_gear_or_with_gears_cut_apart_needs_no_room() -> None:
     parts = _cluster(60, 20, 1.0)
     assert not list(blocked(parts[0]))
-    apart = [Made("drive"), Made("intermediate", Cutting.HOBBED, apart=True), Made("output")]
+    apart = [Made("drive"), Made("intermediate", Cutting.HOBBED, apart=True, joined="glued"), Made("output")]
     assert cutting_checks(parts, apart) == ()
     assert room_notes(parts, [Made(each.place, None, each.apart) for each in apart]) == ()
-    assert list(sheet_notes(parts[1], apart[1])) == ["Teeth: hobbed.", "Lower and upper gear: cut apart, then joined."]
+    assert list(sheet_notes(parts[1], apart[1])) == ["Teeth: hobbed.", "Lower and upper gear: cut apart, then glued."]
 
 
 @pytest.mark.parametrize(
