@@ -31,6 +31,7 @@ _HOBS = (
     (1.4, 50.0), (1.8, 56.0), (2.24, 63.0), (2.8, 70.0), (3.55, 80.0), (4.5, 90.0), (5.6, 100.0), (7.1, 110.0),
     (9.0, 125.0), (inf, 140.0),
 )  # fmt: skip
+_SMALLEST = 20.0  # mm, of hobs for fine modules
 _GROOVE = 3.0  # mm; a shaper's cutter needs this and a module
 _STEPS = 10  # in a mm, of lengths that are proposed
 
@@ -144,6 +145,8 @@ def cutting_checks(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple
                 needed = each.needs(made.cutting, made.cutter)
                 name = Message("room beyond the teeth, {how}", how=CUT[made.cutting])
                 advice = Message("give {collar}, or {apart}", collar=_collar(part, made, needed), apart=_apart(made))
+                if each.needs(made.cutting, _SMALLEST) <= each.room < needed:
+                    advice = Message("{cures}, or the train.cutter_diameter_mm of a smaller tool", cures=advice)
                 checks.append(Check(CheckCode.TOOL_ROOM, name, each.room, "mm", needed, Bound.MIN, where, advice))
     least = min(checks, key=lambda check: check.room, default=None)
     return (*reached[:1], *([] if least is None else [least]))

@@ -94,6 +94,17 @@ def test_room_is_judged_where_the_tool_is_stated_and_else_told(
         assert "needs 4 mm" in notes[0]
 
 
+def test_a_smaller_hob_is_named_where_one_is_small_enough() -> None:
+    """Ø62 stands 22.3 mm over the roots of 20 teeth: hobs of Ø50 and of Ø20 need half of their diameter."""
+    for collar, named in ((9.9, False), (10.1, True)):
+        parts = _cluster(60, 20, collar)
+        (check,) = cutting_checks(parts, [Made(place, Cutting.HOBBED) for place in ("drive", "intermediate", "output")])
+        assert not check.passed
+        assert ("of a smaller tool" in check.advice) == named
+    smaller = [Made(place, Cutting.HOBBED, cutter=20.0) for place in ("drive", "intermediate", "output")]
+    assert cutting_checks(_cluster(60, 20, 10.1), smaller)[0].passed
+
+
 @pytest.mark.slow
 def test_the_cures_of_a_stated_tool_hold_and_a_wire_reaches_what_is_cut_apart() -> None:
     def found(*keys: str) -> dict[str, bool]:
