@@ -102,6 +102,7 @@ UNSTATED = {
     "blank.joint": None,
     "blank.bore_fit": None,
     "train.material": None,
+    "train.cutting": None,
     "train.plate": None,
     **{
         f"train.{place}.{key}": None
