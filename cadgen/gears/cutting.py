@@ -5,8 +5,8 @@ the diameter D cuts to full depth at the end of the teeth only if its axis comes
 
     √(h (D − h)), h ≤ D / 2, of a spur gear.
 
-Turned by the helix angle β it reaches √(h (D − h)) cos β + l sin β, with l = h_fP / tan α_n the half length of a hob
-that generates. This is the least: a longer hob and its own lead need more. Usual diameters are those of DIN 8002.
+Turned by the helix angle β it reaches √(h (D − h)) cos β + l sin β. A hob generates with the half length
+l = h_fP / tan α_n. This is the least: a longer hob and its own lead need more. Usual diameters are those of DIN 8002.
 
 A shaper's cutter needs a groove for its overtravel and the chips, usually 3 mm and 1 mm for each mm of the module: a
 value of the trade, since no standard was at hand. A wire, a laser or a jet cuts through the whole width, and can cut no
