@@ -593,6 +593,29 @@ def test_the_keyway_of_a_disc_has_a_frame_from_which_its_datum_hangs(sheets: dic
     assert [each.letter for each in untold.views[0].symbols if isinstance(each, DatumFeature)] == ["A"]
 
 
+def test_sheets_of_gears_leave_open_what_no_mesh_needs_and_close_no_chain(
+    car: CarAssembly, sheets: dict[str, DrawingSheet]
+) -> None:
+    """Width 5 and hub 6 make the length of 11: one of the three is auxiliary (ISO 129-1). Drivers read the card."""
+    of = {part.name: sheets[f"{car.train.stem}_{part.name}"] for part in car.train.layout.parts}
+    for name in ("1_pinion", "4_wheel"):
+        said = {each.name: each for each in of[name].views[1].dimensions}
+        assert [of[name].dimensions[each] for each in ("width, gear", "hub length", "length")] == [5.0, 6.0, 11.0]
+        marks = [(said[each].prefix, said[each].suffix) for each in ("width, gear", "hub length", "length")]
+        assert marks == [("", ""), ("(", ")"), ("", "")]
+    between, keyed = "Angle between the teeth of both gears: free.", "Angle of the teeth to the keyway: free."
+    assert [name for name, sheet in of.items() if between in sheet.notes] == ["2_cluster", "3_cluster"]
+    assert [name for name, sheet in of.items() if keyed in sheet.notes] == ["4_wheel"]
+    assert car.cam.application.before_each_run
+    assert not any("each run" in note for note in sheets["workshop_car_actual"].notes)
+    # The upright leader of the keyway's symmetry passes beside the letter of the bore.
+    face, scale = of["4_wheel"].views[0], of["4_wheel"].scale
+    (frame,) = (each for each in face.symbols if isinstance(each, ToleranceFrame))
+    boxes = [box for box, words in frame_boxes(of["4_wheel"]) if words == ("A",)]
+    leader = shapely.LineString(np.array(face.place) + scale * np.array([frame.tip, frame.bend]))
+    assert all(box.distance(leader) > 0.2 for box in boxes)
+
+
 @pytest.mark.parametrize("code", ["plate_near", "plate_far"])
 def test_no_leader_of_a_plate_crosses_a_number(sheets: dict[str, DrawingSheet], code: str) -> None:
     sheet = sheets[f"workshop_car_frame_{code}"]

@@ -493,8 +493,8 @@ class CarUse(SteeredCar):
         )
 
     def drawing_notes(self, cam: CamPlan) -> tuple[str, ...]:
-        """Instructions for a car as built, what to do before each run with a brake, and how the disc sits."""
-        notes: tuple[str, ...] = (*self.setting(cam), *self.before_each_run)
+        """Instructions for a car as built, and how the disc sits; what its driver does stands on the card."""
+        notes: tuple[str, ...] = tuple(self.setting(cam))
         if self.in_car is None or not self.in_car.turned_over:
             return notes
         over = (

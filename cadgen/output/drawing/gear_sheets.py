@@ -523,7 +523,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
                 along = (each.radius + 1.5 / scale) * np.array([np.cos(angle), np.sin(angle)])
                 curves.append(Stroke(np.array([[0.0, 0.0], along]), LineKind.CENTRE))
     bores = [each for each in placed if isinstance(each, DiameterDimension) and each.name == "bore"]
-    symbols: list[Symbol] = [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
+    symbols: list[Symbol] = []
     wide = next((each for each in placed if isinstance(each, LinearDimension) and each.name == "keyway width"), None)
     if wide and isinstance(blank.key, Keyway):
         # To the left: frames of the section stand on the right.
@@ -531,6 +531,8 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         symbols.append(
             room.frame(symmetry("keyway", off_middle(blank.key.width)), [(end, out - [1e-6, 0.0])], range(8, 60, 3))
         )
+    # After the leader from the keyway, which stands in line with it and cannot give way.
+    symbols += [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
     if holes and gear.pins and symbols:
         pins = ToleranceFrame(
             name="pins",
@@ -765,7 +767,9 @@ def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: Scre
         yield axial_diameter("hub diameter" if alone else "collar diameter", end, half, out)
         if alone:
             start, at = (first, -half), (high, -reach - row * gap)
-            yield LinearDimension(name="hub length", start=start, end=(high, -half), at=at)
+            # In brackets: width and length say how long it is (ISO 129-1).
+            held = LinearDimension(name="hub length", start=start, end=(high, -half), at=at)
+            yield replace(held, prefix="(", suffix=")") if high - low > first else held
     if blank.web:
         web = body.slabs[1]  # between the two recesses
         radius = (blank.hub.diameter / 2 if blank.hub else 0.0) + 0.3 * part.gears[0].root_diameter / 2
@@ -784,18 +788,16 @@ def _notes(gear: GearPart) -> Iterator[str]:
     blank = gear.part.blank
     if screw := ScrewHole.of(blank, gear.part.body.radial_hole, gear.fit.thread):
         yield from gear.fit.thread_note(drawn=bool(screw.thread))
-    toothed = not all(map(holes_of, gear.part.gears))
-    if isinstance(blank.key, Keyway) and toothed:
-        yield Message("A tooth of each gear stands on the axis of the keyway.")
-    elif isinstance(blank.key, Flats) and toothed:
+    carriers = list(map(holes_of, gear.part.gears))
+    if isinstance(blank.key, Flats):
         shape = Message("hexagon") if blank.key.count == 6 else Message("square")
-        yield Message(
-            "Bore: {shape}, {across:g} across flats. A tooth of each gear stands over the middle of a flat.",
-            shape=shape,
-            across=blank.bore_diameter,
-        )
-    elif blank.key and toothed:
-        yield Message("A tooth of each gear stands over the middle of the flat.")
+        yield Message("Bore: {shape}, {across:g} across flats.", shape=shape, across=blank.bore_diameter)
+    # Shafts turn by themselves until their teeth mesh: no mesh asks how teeth stand to what else is on the part.
+    if blank.key and not all(carriers):
+        held = Message("the keyway") if isinstance(blank.key, Keyway) else Message("the flat")
+        yield Message("Angle of the teeth to {feature}: free.", feature=held)
+    if len(carriers) > 1 and not any(carriers):
+        yield Message("Angle between the teeth of both gears: free.")
     drilled = _drilled(gear.part)
     if drilled and gear.part.gears[-1].tip_diameter > gear.part.gears[0].tip_diameter:
         diameter, circle = _hole_sizes(drilled)
