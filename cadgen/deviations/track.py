@@ -187,19 +187,21 @@ def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, lim
 
 _ENDS = {"deg": "deg", "%": "percent"}
 # What a linkage that gives, a wheel that slides and a zero that wanders make of the steering's tangent.
-SMOOTH_FORMS = (
+_OF_STEERING = (
     _form("steering that drifts", lambda tan, p, at: np.asarray(tan + p[0] * at / TURN), "deg", 5.0),
     _form("steering that bends", lambda tan, p, at: np.asarray(tan + p[0] * np.abs(tan)), "%", 30.0),
     _form("steering that fades", lambda tan, p, at: np.asarray(tan * (1 - p[0] * tan**2)), "%", 300.0),
 )
-
-
-WHEEL_THAT_SHRINKS = replace(
-    SMOOTH_FORMS[0],
-    name="travel that fades",
-    stage=RUNNING,
-    parameters=(Parameter.of("fades_percent", 20.0, 0.05),),
-    act=lambda run, p, at: replace(run, wear=run.wear + float(p[0])),
+# Forms with one number that run through the whole turn; the last is of a wheel that shrinks.
+SMOOTH_FORMS = (
+    *_OF_STEERING,
+    replace(
+        _OF_STEERING[0],
+        name="travel that fades",
+        stage=RUNNING,
+        parameters=(Parameter.of("fades_percent", 20.0, 0.05),),
+        act=lambda run, p, at: replace(run, wear=run.wear + float(p[0])),
+    ),
 )
 
 
@@ -209,6 +211,5 @@ def track_forms() -> tuple[Effect, ...]:
     return (
         *(rubbing(RETURN_ERROR, SLIDING_FRICTION, mu) for mu in FRICTIONS),
         *SMOOTH_FORMS,
-        WHEEL_THAT_SHRINKS,
         *bumps,
     )

@@ -57,6 +57,24 @@ def test_an_ellipse_in_the_train_gets_no_name():
     assert found["claimed"] == []
 
 
+@pytest.mark.slow
+def test_an_offset_is_not_named_where_a_rod_that_bends_does_as_well():
+    """Seed 11, on which the rule was made: an offset of 10 mm was claimed."""
+    found = judged(11, 6)
+    assert found["kind"] == "bent rod"
+    assert "driven wheel's offset" in found["said"]
+    assert found["wrong"] == []
+
+
+@pytest.mark.slow
+def test_a_return_error_that_differs_over_the_turn_is_none():
+    """Seed 11, on which the rule was made: return error and rate were claimed of a belt that relaxes."""
+    found = judged(11, 27)
+    assert found["kind"] == "belt that relaxes"
+    assert "return error" in found["said"]
+    assert found["claimed"] == []
+
+
 @pytest.mark.long
 @pytest.mark.slow
 def test_a_bounce_gets_no_name_beside_its_shapes():

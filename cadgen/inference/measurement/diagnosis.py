@@ -14,6 +14,7 @@ from cadgen.arrays import Array
 from cadgen.deviations.deviation import Deviation
 from cadgen.deviations.effect import UNITS, Active, Effect, Quantity
 from cadgen.deviations.lift import Readings
+from cadgen.inference.measurement.doubts import with_doubts
 from cadgen.inference.measurement.evidence import Evidence, estimate_noise, grid_of, registered
 from cadgen.inference.measurement.findings import (
     Candidate,
@@ -139,6 +140,7 @@ def weigh_parts(
         searched |= set(names)
         found = sorted(known.values(), key=lambda h: h.score)
         judgement, best = judge(joint, found)
+    judgement = with_doubts(judgement, joint, best)
     found_alone = best = sized(joint, best)
     best, another = with_known_play(joint, best, play)
     for part in joint.parts:

@@ -1,0 +1,96 @@
+"""Doubts about a claimed name: is it of one size all the turn, and does nothing without a name do as well in its place?
+
+Both are asked of the likeliest subset alone. A subset can leave no more than noise and still name what is not there,
+where something that is not in the catalogue looks like what is.
+"""
+
+import numpy as np
+from scipy.stats import chi2
+
+from cadgen.arrays import Array
+from cadgen.deviations.effect import Effect
+from cadgen.deviations.track import SMOOTH_FORMS
+from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
+from cadgen.inference.measurement.joint import Joint, Part
+from cadgen.inference.measurement.verdict import Judgement, names_of, unclaimed
+from cadgen.messages import Message
+
+# Parts of a turn in which an effect's size is compared, by equal numbers of rows.
+_PARTS = 3
+# Sizes differ if chance makes them differ so much less often than this, and by more than this share of the size, rms:
+# no model is right to the last percent.
+_CHANCE, _LEAST_SHARE = 1e-6, 0.05
+_FORMS = frozenset(form.key for form in SMOOTH_FORMS)
+_ALIKE = 1e-9  # share of a column's square that keeps what is left of one like others from being rounding
+
+
+def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgement:
+    """The judgement without names that are of another size in each part of the turn, or that a form does as well as.
+
+    Args:
+        judgement: on the subset.
+        joint: the records.
+        best: the subset, fitted.
+    """
+    claimed = [e for e in best.effects if e.name in judgement.claimed]
+    for effect in claimed:
+        if form := _form_as_good(effect, joint, best):
+            why = Message("{form} in its place explains the records as well", form=Message(form.name))
+            judgement = unclaimed(judgement, [effect.name], why)
+    for part in joint.parts:
+        here = [e for e in claimed if e.key in part.names]
+        if uneven := [e for e in here if _differs(e, part, joint, best)]:
+            # Then it is something else, and what is named beside it makes up for that.
+            why = Message("{name} is of another size in each part of the turn", name=names_of(uneven))
+            judgement = unclaimed(judgement, [e.name for e in here], why)
+    return judgement
+
+
+def _form_as_good(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | None:
+    """A smooth form, of one number as the effect, that fits the records as well in its place; None without one."""
+    others = tuple(e for e in best.effects if e != effect and e.beside != effect)
+    if any(e.shape for e in others) or len(effect.parameters) > 1:
+        return None
+    start = [(e, v) for e, v in best.active if e != effect]
+    among = joint.within if best.spectrum.within else ~joint.within
+    least = float(best.misfit[among].min())
+    for form in (e for e in joint.members if e.key in _FORMS):
+        if float(fit(joint, (*others, form), start, Search(joint.rows), level=least).misfit[among].min()) <= least:
+            return form
+    return None
+
+
+def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool:
+    """Does an effect's size differ from part to part of a record's turn?
+
+    To first order, by the score test: columns that let the effect differ, beside all that the subset has and a datum of
+    its own in each part of the turn, lessen r'C^-1 r by a chi-square with as many degrees of freedom.
+    """
+    own, residual = part.own(best.active), part.residual(best.active)
+
+    def slopes(effects: tuple[Effect, ...]) -> Array:
+        return part.slopes(tuple(part.names[e.key] for e in effects if e.key in part.names), own, residual)
+
+    mine = slopes((effect,))
+    alive = np.linalg.norm(mine, axis=0) > 0
+    values = next(v for e, v in best.active if e == effect)[alive]
+    mine = mine[:, alive]
+    place = part.model.rows.place
+    rank = np.argsort(np.argsort(place, kind="stable"), kind="stable")
+    here = [(rank * _PARTS // len(place) == number)[:, None] for number in range(1, _PARTS)]
+    # Columns that change nothing if the size is one: of a part, less what the whole has of it.
+    differing = np.hstack([mine * (rows - 1 / _PARTS) for rows in here])
+    beside = np.hstack([slopes((*joint.datum, *best.effects)), *(part.model.offsets * rows for rows in here)])
+    white = part.evidence.whiten(np.hstack([beside, differing, residual[:, None]]))
+    products = part.evidence.products(white, white, [joint.grid.index(best.spectrum)])[0]
+    size = np.sqrt(np.maximum(np.diag(products), np.finfo(float).tiny))
+    products, first = products / size / size[:, None], beside.shape[1]
+    # What is left of the columns, and of their products with the residual, once all beside them is fitted.
+    shared = products[first:-1, :first] @ np.linalg.pinv(products[:first, :first], rcond=_ALIKE, hermitian=True)
+    left, right = (products[first:-1, k] - shared @ products[:first, k] for k in (slice(first, -1), -1))
+    scaled = np.linalg.pinv(left, rcond=_ALIKE, hermitian=True) @ right
+    gain = float(right @ scaled) * size[-1] ** 2
+    found = (scaled * size[-1] / size[first:-1]).reshape(_PARTS - 1, -1)
+    sizes = np.vstack([np.zeros(len(values)), found]) - found.sum(axis=0) / _PARTS
+    share = float(np.sqrt(np.mean(np.sum(sizes**2, axis=1)) / np.sum(values**2)))
+    return bool(chi2.sf(gain, differing.shape[1]) < _CHANCE) and share > _LEAST_SHARE
