@@ -14,7 +14,7 @@ import numpy as np
 from cadgen.arrays import Array
 from cadgen.deviations.deviation import Place
 from cadgen.deviations.disc import ANISOTROPIC_SCALE, CUTTER_COMPENSATION, OUT_OF_SQUARE, UNIFORM_SCALE
-from cadgen.deviations.effect import Effect, Group, Parameter, Stage
+from cadgen.deviations.effect import Effect, Group, Parameter, Rows, Stage
 from cadgen.deviations.lift import ANGLE, PHASE, RETURN_ERROR
 from cadgen.messages import Message
 
@@ -94,6 +94,46 @@ SQUARENESS = Effect(
     confused_with="a part cut by a machine whose axes are out of square",
     separated_by=_TURN_IT,
 )
+# Of a run, over which a part that moves in its clamp does so.
+_MOVES_OVER = 0.01
+
+
+def moved_part(when: float) -> Effect:
+    """A form without a name: the part moves in its clamp at one place of every run, by p0, p1 in x and y.
+
+    Args:
+        when: share of the run from which the place is searched, from its middle, -1/2 to 1/2.
+    """
+
+    def act(points: Array, p: Array, at: Rows) -> Array:
+        share = (1 + np.tanh((at.elapsed - p[2]) / _MOVES_OVER)) / 2
+        return np.asarray(points - share[:, None] * p[:2])
+
+    sizes = (Parameter.of(f"moved_{axis}_um", 500.0, 1.0) for axis in "xy")
+    place = Parameter.of("moved_at_percent", 100 * when + 4, 0.2, lower=100 * when - 4, start=100 * when)
+    return Effect(
+        name=Message("part that moves at {when:.0f} % of each run", when=100 * (when + 0.5)),
+        stage=MACHINE,
+        parameters=(*sizes, place),
+        act=act,
+        shape=True,
+        member=True,
+        separated_by="clamp the part anew, and measure its first points again at the end",
+    )
+
+
+# Over each run its scale grows by p0.
+WARMING = Effect(
+    name="measuring machine that warms up",
+    stage=MACHINE,
+    parameters=(Parameter.of("warming_percent", 2.0, 0.002),),
+    act=lambda points, p, at: np.asarray(points / (1 + at.elapsed[:, None] * p)),
+    shape=True,
+    member=True,
+    separated_by="measure the part's first points again at the end",
+)
+
+
 DIVIDER_ZERO = replace(
     PHASE,
     name="zero of the divider",

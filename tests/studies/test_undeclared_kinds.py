@@ -75,6 +75,24 @@ def test_a_return_error_that_differs_over_the_turn_is_none():
     assert found["claimed"] == []
 
 
+@pytest.mark.slow
+def test_a_part_that_moves_in_its_clamp_is_seen_as_that():
+    """Seed 10, on which the form was made: an eccentric bore was claimed."""
+    drawn, found = draw(10, 101), judged(10, 101)
+    assert drawn.name == found["kind"] == "slipped clamp"
+    assert found["verdict"] == "untraced shape"
+    assert found["said"] == ["part that moves at 30 % of each run"]
+    assert found["claimed"] == []
+
+
+@pytest.mark.slow
+def test_a_measuring_machine_that_warms_up_hides_no_bore():
+    found = judged(10, 66)
+    assert found["truth"] == ["eccentric bore"]
+    assert "measuring machine that warms up" in found["said"]
+    assert found["claimed"] == ["eccentric bore"]
+
+
 @pytest.mark.long
 @pytest.mark.slow
 def test_a_bounce_gets_no_name_beside_its_shapes():

@@ -10,7 +10,7 @@ from cadgen.arrays import TURN, Array
 from cadgen.deviations.catalogue import PROFILE
 from cadgen.deviations.disc import DISC, NOSE_WIDTHS_DEG, Disc, undulation, worn_nose
 from cadgen.deviations.effect import READING, Active, Effect, Parameter, Rows, Stage, key_of, through
-from cadgen.deviations.instrument import MACHINE
+from cadgen.deviations.instrument import MACHINE, WARMING, moved_part
 from cadgen.errors import FileError
 from cadgen.inference.measurement.model import (
     Cache,
@@ -31,6 +31,7 @@ from cadgen.messages import Message
 
 FORM_ORDERS = 90
 UNDULATIONS = 120
+MOVED = np.linspace(-0.45, 0.45, 19)  # shares of a run from which a move of the part is searched
 _KEPT = 16  # distances: forms without a name act on the reading alone
 
 CLOCK = Stage[Array]("clock")
@@ -84,6 +85,8 @@ class ProfileModel(Model):
             *PROFILE.effects,
             *(worn_nose(k, width) for k in range(len(self._disc.noses)) for width in NOSE_WIDTHS_DEG),
             *(undulation(order) for order in range(2, min(UNDULATIONS, last) + 1)),
+            *(moved_part(float(when)) for when in MOVED),
+            WARMING,
         )
         turned = slopes(self, self.datum, [])
         self.offsets = (turned * per_run(record.run))[:, 1:]
