@@ -58,7 +58,7 @@ def test_an_ellipse_in_the_train_gets_no_name():
 
 
 @pytest.mark.slow
-def test_an_offset_is_not_named_where_a_rod_that_bends_does_as_well():
+def test_an_offset_is_not_named_where_a_rod_that_bends_does_better():
     """Seed 11, on which the rule was made: an offset of 10 mm was claimed."""
     found = judged(11, 6)
     assert found["kind"] == "bent rod"

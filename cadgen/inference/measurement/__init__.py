@@ -13,7 +13,7 @@
 | `hypothesis`   | a subset of effects, fitted exactly and scored                                                 |
 | `search`       | all small subsets, linearised; the best are fitted                                             |
 | `verdict`      | what the rivals and what is left allow to be claimed                                           |
-| `doubts`       | claimed names that are not of one size all the turn, or that a form without a name does as well as |
+| `doubts`       | claimed names that are not of one size all the turn, or that a form without a name does better than |
 | `reservations` | what speaks against a verdict, and what these data cannot tell apart                           |
 | `findings`     | effects with their numbers; a diagnosis by evidence, and one by runs left out                  |
 | `claims`       | what is claimed, each deviation at work once, where data that are judged apart show it too     |

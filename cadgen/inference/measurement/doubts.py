@@ -1,4 +1,4 @@
-"""Doubts about a claimed name: is it of one size all the turn, and does nothing without a name do as well in its place?
+"""Doubts about a claimed name: is it of one size all the turn, and does nothing without a name do better in its place?
 
 Both are asked of the likeliest subset alone. A subset can leave no more than noise and still name what is not there,
 where something that is not in the catalogue looks like what is.
@@ -21,11 +21,12 @@ _PARTS = 3
 # no model is right to the last percent.
 _CHANCE, _LEAST_SHARE = 1e-6, 0.05
 _FORMS = frozenset(form.key for form in SMOOTH_FORMS)
+_BETTER = 0.1  # -2 log L beyond what a fit leaves open
 _ALIKE = 1e-9  # share of a column's square that keeps what is left of one like others from being rounding
 
 
 def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgement:
-    """The judgement without names that are of another size in each part of the turn, or that a form does as well as.
+    """The judgement without names that are of another size in each part of the turn, or that a form does better than.
 
     Args:
         judgement: on the subset.
@@ -34,8 +35,8 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
     """
     claimed = [e for e in best.effects if e.name in judgement.claimed]
     for effect in claimed:
-        if form := _form_as_good(effect, joint, best):
-            why = Message("{form} in its place explains the records as well", form=Message(form.name))
+        if form := _better_form(effect, joint, best):
+            why = Message("{form} in its place explains the records better", form=Message(form.name))
             judgement = unclaimed(judgement, [effect.name], why)
     for part in joint.parts:
         here = [e for e in claimed if e.key in part.names]
@@ -46,16 +47,19 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
     return judgement
 
 
-def _form_as_good(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | None:
-    """A smooth form, of one number as the effect, that fits the records as well in its place; None without one."""
+def _better_form(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | None:
+    """A smooth form, of one number as the effect, that fits the records better in its place; None without one.
+
+    A name of the catalogue that is that form does as well, and stands.
+    """
     others = tuple(e for e in best.effects if e != effect and e.beside != effect)
     if any(e.shape for e in others) or len(effect.parameters) > 1:
         return None
     start = [(e, v) for e, v in best.active if e != effect]
     among = joint.within if best.spectrum.within else ~joint.within
-    least = float(best.misfit[among].min())
+    least = float(best.misfit[among].min()) - _BETTER
     for form in (e for e in joint.members if e.key in _FORMS):
-        if float(fit(joint, (*others, form), start, Search(joint.rows), level=least).misfit[among].min()) <= least:
+        if float(fit(joint, (*others, form), start, Search(joint.rows), level=least).misfit[among].min()) < least:
             return form
     return None
 
@@ -73,6 +77,8 @@ def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool
 
     mine = slopes((effect,))
     alive = np.linalg.norm(mine, axis=0) > 0
+    if not alive.any():
+        return False
     values = next(v for e, v in best.active if e == effect)[alive]
     mine = mine[:, alive]
     place = part.model.rows.place
