@@ -817,6 +817,14 @@ def test_tabs_go_into_their_slots_by_the_limits_that_the_sheets_state(car: CarAs
             narrowest = pair[0][2][1][0] - pair[0][2][1][1]
             assert narrowest - thickest >= apart[number][1][1] - 1e-9
     assert closed == 1
+    # What goes through both plates is held by the slots of both, which stand in line along the car.
+    in_line = [row for row in sheets[base].tables[0].rows if row[4] == "along, middle to middle"]
+    assert [limited_sizes(row[3]) for row in in_line] == [[(0.0, apart[0][0][1])]]
+    assert slots[0][0] == slots[2][0]
+    # A platform too small for its thickness has that beside it.
+    platform = sheets["workshop_car_frame_platform"]
+    (sign,) = [each for each in platform.views[0].labels if each.text.startswith("t = ")]
+    assert sign.text == f"t = {panels['workshop_car_frame_platform'].thickness:g}"
 
 
 @pytest.mark.slow

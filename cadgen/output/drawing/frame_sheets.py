@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 import shapely
@@ -170,10 +170,12 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     ]
     if not text.zones and not text.walls:  # else a view from the side has it, or walls stand on it
         sign = f"t = {rounded(panel.thickness)}{text.thickness_limits}"
-        for label in _thickness_places(panel, sign, scale):
-            room.take(label)
-            labels.append(label)
-            break
+        inside = next(_thickness_places(panel, sign, scale), None)
+        if inside:
+            room.take(inside)
+        middle, half = ((left + right) / 2, (low + high) / 2), (scale * extent[0] / 2, scale * extent[1] / 2)
+        aside = (half[0] + TEXT * WIDEST * len(sign) / 2, half[1])
+        labels.append(inside or room.label(sign, middle, 2.0 * _NUMBER, TEXT, aside))
     views = [
         View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels), symbols=symbols)
     ]
@@ -272,16 +274,23 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
 
 
 def _distances(panel: Panel) -> Iterator[tuple[str, ...]]:
-    """Rows of the distances of the tabs of a sheet, and of the slots of each: those along that have a fit there."""
+    """Rows of the distances of the tabs of a sheet, and of the slots of each: those along that have a fit there.
+
+    Last come the first slots of two sheets that stand in line: they hold what goes through both.
+    """
     numbered = list(enumerate(panel.features, len(panel.holes) + 1))
-    for pattern in dict.fromkeys(each.pattern for each in panel.features if each.pattern):
-        tabs = [(number, each) for number, each in numbered if each.pattern == pattern]
+    patterns = dict.fromkeys(each.pattern for each in panel.features if each.pattern)
+    groups = [[(number, each) for number, each in numbered if each.pattern == pattern] for pattern in patterns]
+    for tabs in groups:
         for (first, one), (second, other) in pairwise(tabs):
             apart = (abs(other.u - one.u), abs(other.v - one.v))
             fitted = (a and b for a, b in zip(one.fitted, other.fitted, strict=True))
             sizes = [f"{rounded(size, 2)}±{SHARE:g}" for size, fits in zip(apart, fitted, strict=True) if fits]
             if sizes:
                 yield f"{first}–{second}", "", "", " × ".join(sizes), Message("distance, middle to middle")
+    for (first, one), (second, other) in combinations([tabs[0] for tabs in groups], 2):
+        if round(one.u - other.u, 3) == 0 and one.fitted[0] and other.fitted[0]:
+            yield f"{first}–{second}", "", "", f"0±{SHARE:g}", Message("along, middle to middle")
 
 
 def slanted_corners(panel: Panel) -> list[tuple[float, float]]:
