@@ -189,6 +189,15 @@ def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
     assert tips.zone == pytest.approx(float(centre_distance_deviation(9.5, 7)))
 
 
+def test_a_carrier_without_a_bore_holds_its_pins_to_each_other(tmp_path) -> None:
+    """No axis is given that they could be counted from: the zones are combined (ISO 5458)."""
+    text = PLANETARY.replace("[train.output]\nbore_diameter_mm = 6.0\n", "")
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_wheel"))
+    assert (frames(sheet)["pins"].zone_text, frames(sheet)["pins"].datums) == ("Ø0.016 CZ", ())
+    assert datums(sheet) == ""
+
+
 def test_a_carrier_whose_planets_stand_at_unequal_angles_says_them(tmp_path) -> None:
     """Planets fit at multiples of 360° / (17 + 69) alone: those nearest to 120° and 240° are 29 and 57 of them."""
     text = PLANETARY.replace("teeth = 18", "teeth = 17").replace("teeth = 27", "teeth = 26")

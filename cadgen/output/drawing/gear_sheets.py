@@ -533,15 +533,17 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         )
     # After the leader from the keyway, which stands in line with it and cannot give way.
     symbols += [room.datum(axis_datum("A", bore)) for bore in bores if gear.has_datum]
-    if holes and gear.pins and symbols:
+    if holes and gear.pins:
+        # Without a bore no axis is given, and the holes are held to each other.
         pins = ToleranceFrame(
             name="pins",
             characteristic=Characteristic.POSITION,
             zone=gear.pins,
-            datums=("A",),
+            datums=("A",) if gear.has_datum else (),
             tip=(0.0, 0.0),
             bend=(1.0, 0.0),
             diametral=True,
+            combined=not gear.has_datum,
         )
         symbols.append(room.frame(pins, list(rim((centres[-1].real, centres[-1].imag), size / 2))))
     if gear.flank_texture:

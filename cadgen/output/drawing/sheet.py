@@ -226,6 +226,7 @@ class ToleranceFrame:
         bend: where the leader bends to run on level into the frame, mm on the part.
         all_around: whether it counts all around the outline, which a circle on the leader says.
         diametral: whether the zone is a cylinder, whose width follows the sign of a diameter.
+        combined: whether the zones of a pattern's features are held to each other (CZ, ISO 5458).
     """
 
     name: str
@@ -236,11 +237,12 @@ class ToleranceFrame:
     bend: tuple[float, float]
     all_around: bool = False
     diametral: bool = False
+    combined: bool = False
 
     @property
     def zone_text(self) -> str:
         """Width of the zone, after the sign of a diameter where it is a cylinder."""
-        return f"{DIAMETER if self.diametral else ''}{rounded(self.zone)}"
+        return f"{DIAMETER if self.diametral else ''}{rounded(self.zone)}{' CZ' if self.combined else ''}"
 
     @property
     def cells(self) -> tuple[float, ...]:
