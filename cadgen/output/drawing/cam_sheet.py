@@ -62,7 +62,7 @@ from cadgen.output.drawing.sheet import (
     over_title,
     ring,
     rounded,
-    section_name,
+    section_title,
     symmetry,
 )
 from cadgen.output.drawing.timing import TimingDiagram
@@ -651,14 +651,15 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     symbols = _taper_symbols(cam, areas, scale) if cam.taper else ()
     if symbols:
         under -= _FRAMED / scale
+    turn, title = section_title(angle, (middle, under), scale)
     labels = (
-        Label(text=section_name(angle), at=(middle, under), height=3.5),
+        *title,
         Label(text=Message("{face} on the right", face=cam.face), at=(middle, under - 5.0 / scale)),
         *beside,
     )
     return View(
         place=place,
-        curves=(*strokes, *(screw.section(angle) if screw else ()), axis),
+        curves=(*strokes, *(screw.section(angle) if screw else ()), axis, *turn),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
         labels=labels,

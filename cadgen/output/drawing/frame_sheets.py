@@ -173,9 +173,9 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         inside = next(_thickness_places(panel, sign, scale), None)
         if inside:
             room.take(inside)
-        middle, half = ((left + right) / 2, (low + high) / 2), (scale * extent[0] / 2, scale * extent[1] / 2)
-        aside = (half[0] + TEXT * WIDEST * len(sign) / 2, half[1])
-        labels.append(inside or room.label(sign, middle, 2.0 * _NUMBER, TEXT, aside))
+        outside = (scale * extent[0] / 2 + TEXT * WIDEST * len(sign) / 2, scale * extent[1] / 2)
+        middle = ((left + right) / 2, (low + high) / 2)
+        labels.append(inside or room.label(sign, middle, 2.0 * _NUMBER, TEXT, outside))
     views = [
         View(place=place, curves=tuple(curves), dimensions=tuple(dimensions), labels=tuple(labels), symbols=symbols)
     ]

@@ -67,7 +67,7 @@ from cadgen.output.drawing.sheet import (
     ring,
     rounded,
     run_out,
-    section_name,
+    section_title,
     symmetry,
     upright,
     width_of,
@@ -690,12 +690,13 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         if isinstance(symbol, DatumFeature):
             end = symbol.foot[1] - symbol.reach / scale
         lowest = min(lowest, end - (FRAME_HEIGHT / 2 + 3.0) / scale + 0.9 * gap)
+    turn, labels = section_title(0.0, ((low + high) / 2, lowest - 0.9 * gap), scale)
     return View(
         place=place,
-        curves=(*strokes, *(screw.section(0.0) if screw else ())),
+        curves=(*strokes, *(screw.section(0.0) if screw else ()), *turn),
         hatches=tuple(hatches),
         dimensions=tuple(dimensions),
-        labels=(Label(text=section_name(0.0), at=((low + high) / 2, lowest - 0.9 * gap), height=3.5),),
+        labels=labels,
         symbols=tuple(symbols),
     )
 

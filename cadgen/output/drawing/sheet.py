@@ -7,6 +7,7 @@ from enum import StrEnum
 from textwrap import wrap
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
@@ -771,16 +772,38 @@ def cutting_plane(angle: float, reach: float, scale: float) -> tuple[tuple[Strok
     return tuple(strokes), (labels[0], labels[1])
 
 
-def section_name(angle: float) -> Message:
-    """Name of the section in that plane, with its turn from where the first angle of projection has it.
+def section_title(angle: float, at: tuple[float, float], scale: float) -> tuple[tuple[Stroke, ...], tuple[Label, ...]]:
+    """Name of the section in that plane; behind an arrow on an arc its turn from the first angle's place (ISO 128-3).
 
     Args:
         angle: polar angle of the plane, rad.
+        at: middle of the name, mm on the part.
+        scale: mm on paper for a mm of the part.
     """
     turned = (90.0 - float(np.degrees(angle)) + 180.0) % 360.0 - 180.0
+    name, size, height = Message("A–A"), f"{rounded(abs(turned), 1)}°", HEIGHTS[1]
     if abs(turned) < 0.05:
-        return Message("A–A")
-    return Message("A–A, turned by {angle}°", angle=rounded(turned, 1))
+        return (), (Label(text=name, at=at, height=height),)
+    long, longer = (WIDEST * len(text) * height for text in (name, size))
+    room = 1.5 * height  # half of the arc's
+    left = -(long + longer) / 2 - room
+    arc = np.exp(1j * np.linspace(0.0, np.pi, 25)) - 0.5j
+    if turned < 0:
+        arc = -arc.conj()
+    # The arrow ends the arc, pointing down: counterclockwise at its left end, clockwise at its right one.
+    head = arc[-1] + 0.7 * np.exp(1j * np.radians([65.0, 115.0]))
+    lines = (arc, np.array([head[0], arc[-1], head[1]]))
+    middle = complex(left + long + room, 0.0)
+
+    def placed(points: NDArray[np.complex128]) -> Stroke:
+        paper = middle + 0.8 * height * points
+        return Stroke(np.stack([paper.real, paper.imag], axis=1) / scale + at, LineKind.THIN)
+
+    labels = tuple(
+        Label(text=text, at=(at[0] + x / scale, at[1]), height=height)
+        for text, x in ((name, left + long / 2), (size, left + long + 2 * room + longer / 2))
+    )
+    return tuple(map(placed, lines)), labels
 
 
 def is_wide(letter: str) -> bool:
