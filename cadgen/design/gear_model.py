@@ -10,7 +10,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.design.section import listed
 from cadgen.design.train import GearBlankSection, GearKeys, SpurStage, TrainSection
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Cutting, HelixHand, ToleranceStandard
+from cadgen.gears.choices import HelixHand, ToleranceStandard, ToothCutting
 from cadgen.gears.cutting import Made
 from cadgen.gears.fits import clearance, flat_play, key_play
 from cadgen.gears.layout import Blanks
@@ -123,7 +123,7 @@ def makings(design: TrainDesign, shafts: int) -> tuple[Made, ...]:
     """
     keys = train_keys(design)
     found = tuple(made_by(keys, place, blank) for place, blank in keys.on_shafts(shafts))
-    printed = Cutting.PRINTED if design.export.printing else None
+    printed = ToothCutting.PRINTED if design.export.printing else None
     return tuple(replace(each, cutting=each.cutting or printed) for each in found)
 
 

@@ -23,7 +23,7 @@ from cadgen.design.section import (
     section_with,
 )
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Cutting, HelixHand, SearchObjective, Thinning, ToleranceStandard
+from cadgen.gears.choices import HelixHand, SearchObjective, Thinning, ToleranceStandard, ToothCutting
 from cadgen.gears.stage_kind import StageKind
 from cadgen.gears.stage_kinds import SPUR, codes, has, kind_of
 from cadgen.messages import Message
@@ -303,7 +303,7 @@ class GearBlankSection(Held):
         default=None, max_length=20, description="of the bore on its shaft by ISO 286, such as `H7/h6`; for the drawing"
     )
     material: CellText | None = Field(default=None, description="for the drawing; left out, that of the train")
-    cutting: Annotated[Cutting | None, WORD] = Field(
+    cutting: Annotated[ToothCutting | None, WORD] = Field(
         default=None, description="how its teeth are cut; left out, as those of the train"
     )
     cut_apart: bool | None = Field(
@@ -531,7 +531,7 @@ class TrainSection(DesignSection):
         default=0.3, gt=0, le=100, description="least gap between bodies on different shafts, teeth in mesh apart"
     )
     material: CellText | None = Field(default=None, description="of the gears, such as `POM`; for their drawings")
-    cutting: Annotated[Cutting | None, WORD] = Field(
+    cutting: Annotated[ToothCutting | None, WORD] = Field(
         default=None,
         description="how the teeth are cut: `hobbed`, `shaped`, `milled` with a disc cutter, by a `wire`, a laser or a "
         "jet through the whole width, or `printed` or moulded; gears beside larger ones on a shaft then need room "

@@ -18,7 +18,7 @@ class Thinning(StrEnum):
     GREATEST = "greatest"
 
 
-class Cutting(StrEnum):
+class ToothCutting(StrEnum):
     """How teeth are made: by a generating tool, a disc cutter, a wire through the whole width, or in a mould."""
 
     HOBBED = "hobbed"

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 from math import ceil, cos, inf, sin, sqrt, tan
 
 from cadgen.check import Bound, Check, CheckCode
-from cadgen.gears.choices import Cutting
+from cadgen.gears.choices import ToothCutting
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
@@ -36,11 +36,11 @@ _GROOVE = 3.0  # mm; a shaper's cutter needs this and a module
 _STEPS = 10  # in a mm, of lengths that are proposed
 
 CUT = {
-    Cutting.HOBBED: Message("hobbed"),
-    Cutting.SHAPED: Message("shaped"),
-    Cutting.MILLED: Message("milled with a disc cutter"),
-    Cutting.WIRE: Message("cut by wire, laser or jet"),
-    Cutting.PRINTED: Message("printed or moulded"),
+    ToothCutting.HOBBED: Message("hobbed"),
+    ToothCutting.SHAPED: Message("shaped"),
+    ToothCutting.MILLED: Message("milled with a disc cutter"),
+    ToothCutting.WIRE: Message("cut by wire, laser or jet"),
+    ToothCutting.PRINTED: Message("printed or moulded"),
 }
 
 
@@ -57,7 +57,7 @@ class Made:
     """
 
     place: str
-    cutting: Cutting | None = None
+    cutting: ToothCutting | None = None
     apart: bool = False
     cutter: float | None = None
     joined: str = ""
@@ -79,7 +79,7 @@ class Blocked:
     beside: float
     room: float
 
-    def needs(self, cutting: Cutting, cutter: float | None = None) -> float:
+    def needs(self, cutting: ToothCutting, cutter: float | None = None) -> float:
         """Least room that its teeth need to be cut, mm; infinite by a wire, 0 if they are printed.
 
         Args:
@@ -87,11 +87,11 @@ class Blocked:
             cutter: diameter of the hob or the disc cutter, mm; None for the usual one.
         """
         match cutting:
-            case Cutting.PRINTED:
+            case ToothCutting.PRINTED:
                 return 0.0
-            case Cutting.WIRE:
+            case ToothCutting.WIRE:
                 return inf
-            case Cutting.SHAPED:
+            case ToothCutting.SHAPED:
                 return _GROOVE + self.gear.normal_module
         diameter = usual_hob(self.gear.normal_module) if cutter is None else cutter
         height = min((self.beside - self.gear.root_diameter) / 2, diameter / 2)
@@ -138,10 +138,10 @@ def cutting_checks(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple
             continue
         for each in blocked(part):
             where = Message("{gear} on shaft {shaft}", gear=each.gear.noun, shaft=part.shaft)
-            if made.cutting == Cutting.WIRE:
+            if made.cutting == ToothCutting.WIRE:
                 name, advice = Message("teeth that a wire cannot reach"), _apart(made)
                 reached.append(Check(CheckCode.TEETH_REACHED, name, 1.0, "", 0.0, Bound.MAX, where, advice))
-            elif made.cutting != Cutting.PRINTED:
+            elif made.cutting != ToothCutting.PRINTED:
                 needed = each.needs(made.cutting, made.cutter)
                 name = Message("room beyond the teeth, {how}", how=CUT[made.cutting])
                 advice = Message("give {collar}, or {apart}", collar=_collar(part, made, needed), apart=_apart(made))
@@ -164,7 +164,7 @@ def room_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Mes
         if made.cutting is not None or made.apart:
             continue
         for each in blocked(part):
-            shaped, hobbed = each.needs(Cutting.SHAPED), each.needs(Cutting.HOBBED, made.cutter)
+            shaped, hobbed = each.needs(ToothCutting.SHAPED), each.needs(ToothCutting.HOBBED, made.cutter)
             least = min(shaped, hobbed)
             if each.room < least:
                 text = Message(
@@ -198,7 +198,7 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
     if made.apart and len(part.gears) > 1:
         yield Message("Lower and upper gear: cut apart, then {joined}.", joined=made.joined)
         return
-    for each in () if how == Cutting.PRINTED else blocked(part):
+    for each in () if how == ToothCutting.PRINTED else blocked(part):
         gear = Message("upper gear") if each.number else Message("lower gear")
         room, beside = f"{each.room:.4g}", f"{each.beside:.4g}"
         if how is None:
@@ -208,11 +208,11 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
                 gear=gear,
                 room=room,
                 beside=beside,
-                shaped=each.needs(Cutting.SHAPED),
+                shaped=each.needs(ToothCutting.SHAPED),
                 hob=made.cutter or usual_hob(each.gear.normal_module),
-                hobbed=each.needs(Cutting.HOBBED, made.cutter),
+                hobbed=each.needs(ToothCutting.HOBBED, made.cutter),
             )
-        elif how != Cutting.WIRE:
+        elif how != ToothCutting.WIRE:
             yield Message(
                 "Room beyond the teeth of the {gear}: {room} mm, before Ø{beside}; the tool needs {needed:.3g} mm.",
                 gear=gear,

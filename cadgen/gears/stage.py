@@ -143,7 +143,7 @@ class Wheel(Protocol):
 
 
 @runtime_checkable
-class Drilled(Protocol):
+class WithHoles(Protocol):
     """Wheel with holes through its face besides its bore, as a carrier has them for the pins of its planets."""
 
     @property
@@ -153,7 +153,7 @@ class Drilled(Protocol):
 
 def holes_of(wheel: Wheel) -> tuple[Loop, ...]:
     """Holes through the face of a wheel besides its bore; none of most wheels."""
-    return wheel.holes if isinstance(wheel, Drilled) else ()
+    return wheel.holes if isinstance(wheel, WithHoles) else ()
 
 
 def is_ring(wheel: Wheel) -> bool:

@@ -8,7 +8,7 @@ import pytest
 from cadgen.check import CheckCode
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.gears.choices import Cutting
+from cadgen.gears.choices import ToothCutting
 from cadgen.gears.cutting import Blocked, Made, blocked, cutting_checks, room_notes, sheet_notes, usual_hob
 from cadgen.gears.layout import Blanks, TrainPart, lay_out
 from cadgen.gears.pair import GradedGear
@@ -30,9 +30,9 @@ def test_a_cutter_reaches_as_far_as_a_cloud_of_its_points(turned: float, beside:
     heights = root + radius - radius * np.cos(around)
     axial = radius * np.sin(around) * cos(radians(turned)) + along * sin(radians(turned))
     reached = axial[heights <= beside / 2].max()
-    needed = Blocked(0, gear, beside, 1.0).needs(Cutting.HOBBED, 63.0)
+    needed = Blocked(0, gear, beside, 1.0).needs(ToothCutting.HOBBED, 63.0)
     assert needed == pytest.approx(reached, abs=1e-3)
-    assert Blocked(0, gear, beside, 1.0).needs(Cutting.MILLED, 63.0) == needed
+    assert Blocked(0, gear, beside, 1.0).needs(ToothCutting.MILLED, 63.0) == needed
 
 
 def test_hobs_have_the_diameters_of_the_standard() -> None:
@@ -43,7 +43,11 @@ def test_hobs_have_the_diameters_of_the_standard() -> None:
 
 def test_other_tools_need_a_groove_all_or_nothing() -> None:
     stands = Blocked(0, GearForm(teeth=20, normal_module=2.0, width=5.0), 80.0, 1.0)
-    assert [stands.needs(each) for each in (Cutting.SHAPED, Cutting.WIRE, Cutting.PRINTED)] == [5.0, inf, 0.0]
+    assert [stands.needs(each) for each in (ToothCutting.SHAPED, ToothCutting.WIRE, ToothCutting.PRINTED)] == [
+        5.0,
+        inf,
+        0.0,
+    ]
 
 
 def _cluster(lower: int, upper: int, collar: float) -> tuple[TrainPart, ...]:
@@ -70,7 +74,7 @@ def test_a_gear_is_blocked_where_the_other_stands_over_its_roots(lower: int, upp
 def test_a_shaft_with_one_gear_or_with_gears_cut_apart_needs_no_room() -> None:
     parts = _cluster(60, 20, 1.0)
     assert not list(blocked(parts[0]))
-    apart = [Made("drive"), Made("intermediate", Cutting.HOBBED, apart=True, joined="glued"), Made("output")]
+    apart = [Made("drive"), Made("intermediate", ToothCutting.HOBBED, apart=True, joined="glued"), Made("output")]
     assert cutting_checks(parts, apart) == ()
     assert room_notes(parts, [Made(each.place, None, each.apart) for each in apart]) == ()
     assert list(sheet_notes(parts[1], apart[1])) == ["Teeth: hobbed.", "Lower and upper gear: cut apart, then glued."]
@@ -78,10 +82,15 @@ def test_a_shaft_with_one_gear_or_with_gears_cut_apart_needs_no_room() -> None:
 
 @pytest.mark.parametrize(
     ("cutting", "collar", "passes"),
-    [(Cutting.SHAPED, 3.9, False), (Cutting.SHAPED, 4.0, True), (Cutting.HOBBED, 24.0, False), (None, 1.0, None)],
+    [
+        (ToothCutting.SHAPED, 3.9, False),
+        (ToothCutting.SHAPED, 4.0, True),
+        (ToothCutting.HOBBED, 24.0, False),
+        (None, 1.0, None),
+    ],
 )
 def test_room_is_judged_where_the_tool_is_stated_and_else_told(
-    cutting: Cutting | None, collar: float, passes: bool | None
+    cutting: ToothCutting | None, collar: float, passes: bool | None
 ) -> None:
     """A shaper's cutter of module 1 needs 4 mm. The hob of Ø50 stands higher than half before Ø62 over Ø17.5."""
     parts = _cluster(60, 20, collar)
@@ -98,10 +107,12 @@ def test_a_smaller_hob_is_named_where_one_is_small_enough() -> None:
     """Ø62 stands 22.3 mm over the roots of 20 teeth: hobs of Ø50 and of Ø20 need half of their diameter."""
     for collar, named in ((9.9, False), (10.1, True)):
         parts = _cluster(60, 20, collar)
-        (check,) = cutting_checks(parts, [Made(place, Cutting.HOBBED) for place in ("drive", "intermediate", "output")])
+        (check,) = cutting_checks(
+            parts, [Made(place, ToothCutting.HOBBED) for place in ("drive", "intermediate", "output")]
+        )
         assert not check.passed
         assert ("of a smaller tool" in check.advice) == named
-    smaller = [Made(place, Cutting.HOBBED, cutter=20.0) for place in ("drive", "intermediate", "output")]
+    smaller = [Made(place, ToothCutting.HOBBED, cutter=20.0) for place in ("drive", "intermediate", "output")]
     assert cutting_checks(_cluster(60, 20, 10.1), smaller)[0].passed
 
 

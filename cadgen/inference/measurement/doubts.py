@@ -67,8 +67,8 @@ def _better_form(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | Non
 def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool:
     """Does an effect's size differ from part to part of a record's turn?
 
-    To first order, by the score test: columns that let the effect differ, beside all that the subset has and a datum of
-    its own in each part of the turn, lessen r'C^-1 r by a chi-square with as many degrees of freedom.
+    To first order, by the score test: columns are added that let the effect differ, and a datum of its own in each part
+    of the turn. They lessen r'C^-1 r by a chi-square with as many degrees of freedom as they are.
     """
     own, residual = part.own(best.active), part.residual(best.active)
 
