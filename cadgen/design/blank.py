@@ -26,7 +26,12 @@ class ShaftJoint(StrEnum):
     D_FLAT = "d_flat"
 
 
-TIGHT = (ShaftJoint.CLAMPED, ShaftJoint.PINNED, ShaftJoint.GLUED)
+# Joints without play, in words.
+TIGHT = {
+    ShaftJoint.CLAMPED: Message("clamped"),
+    ShaftJoint.PINNED: Message("pinned"),
+    ShaftJoint.GLUED: Message("glued"),
+}
 
 S = TypeVar("S", bound="Held")
 

@@ -93,10 +93,7 @@ def blanks(design: TrainDesign) -> Blanks:
     )
 
 
-_JOINED = {
-    ShaftJoint.CLAMPED: Message("clamped"),
-    ShaftJoint.PINNED: Message("pinned"),
-    ShaftJoint.GLUED: Message("glued"),
+_JOINED = TIGHT | {
     ShaftJoint.KEYED: Message("held by the key"),
     ShaftJoint.D_FLAT: Message("held by the flat"),
 }

@@ -309,7 +309,7 @@ class GearBlankSection(Held):
     cut_apart: bool | None = Field(
         default=None,
         description="whether the two gears of the shaft are cut as two parts and joined by `joint`; left out, they are "
-        "one piece",
+        "one piece; the files are of both as joined",
     )
     shaft_ends: bool | None = Field(
         default=None,

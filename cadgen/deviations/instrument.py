@@ -94,8 +94,7 @@ SQUARENESS = Effect(
     confused_with="a part cut by a machine whose axes are out of square",
     separated_by=_TURN_IT,
 )
-# Of a run, over which a part that moves in its clamp does so.
-_MOVES_OVER = 0.01
+_MOVES_OVER = 0.01  # share of a run within which a part moves in its clamp
 
 
 def moved_part(when: float) -> Effect:
@@ -122,7 +121,7 @@ def moved_part(when: float) -> Effect:
     )
 
 
-# Over each run its scale grows by p0.
+# The scale of the machine grows by p0 over each run.
 WARMING = Effect(
     name="measuring machine that warms up",
     stage=MACHINE,

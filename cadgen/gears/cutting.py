@@ -26,7 +26,7 @@ from cadgen.gears.stage import Wheel
 from cadgen.gears.tooth import GearForm
 from cadgen.messages import Message
 
-# Greatest module and diameter of a hob, mm (DIN 8002, module 1 to 20; the last one here goes on to module 11.2).
+# Greatest module and diameter of a hob, mm (DIN 8002, read from a damaged print; the last by judgement).
 _HOBS = (
     (1.4, 50.0), (1.8, 56.0), (2.24, 63.0), (2.8, 70.0), (3.55, 80.0), (4.5, 90.0), (5.6, 100.0), (7.1, 110.0),
     (9.0, 125.0), (inf, 140.0),

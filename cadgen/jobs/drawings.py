@@ -117,7 +117,7 @@ class Folder:
         return tuple((name, listed[name]) for name in named if name in listed)
 
     def with_files(self, part: str, design_hash: str, hashes: Mapping[str, str]) -> "Folder":
-        """The folder as it is with the files of a part, which take the place of those that it has of that part.
+        """The folder with other files of one part in the place of those that it lists.
 
         Args:
             part: name of the part's entry.

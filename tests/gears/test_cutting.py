@@ -36,7 +36,7 @@ def test_a_cutter_reaches_as_far_as_a_cloud_of_its_points(turned: float, beside:
 
 
 def test_hobs_have_the_diameters_of_the_standard() -> None:
-    """DIN 8002, diameters by the module; of intermediate modules up to its upper limits."""
+    """DIN 8002, diameters by the module as read from a damaged print, the last by judgement."""
     printed = {1: 50, 1.5: 56, 2: 63, 2.5: 70, 3: 80, 4: 90, 5: 100, 6: 110, 8: 125, 10: 140}
     assert {module: usual_hob(module) for module in printed} == printed
 

@@ -821,10 +821,19 @@ def test_tabs_go_into_their_slots_by_the_limits_that_the_sheets_state(car: CarAs
     in_line = [row for row in sheets[base].tables[0].rows if row[4] == "along, middle to middle"]
     assert [limited_sizes(row[3]) for row in in_line] == [[(0.0, apart[0][0][1])]]
     assert slots[0][0] == slots[2][0]
-    # A platform too small for its thickness has that beside it.
-    platform = sheets["workshop_car_frame_platform"]
-    (sign,) = [each for each in platform.views[0].labels if each.text.startswith("t = ")]
-    assert sign.text == f"t = {panels['workshop_car_frame_platform'].thickness:g}"
+
+
+@pytest.mark.slow
+def test_a_platform_too_small_for_its_thickness_has_it_beside() -> None:
+    design = load_design("figure_eight")
+    panels: dict[str, Panel] = {}
+    sheets = of_frame(put_together(plan_cam(design, "actual", judged=False), plan_gears(design)), panels)
+    stem = "figure_eight_frame_platform"
+    (sign,) = (each for each in sheets[stem].views[0].labels if each.text.startswith("t = "))
+    assert sign.text == f"t = {panels[stem].thickness:g}"
+    (left, low), (right, high) = (getattr(panels[stem].outline.polygon(0.1), end)(axis=0) for end in ("min", "max"))
+    letters = shapely.box(*(x + way for way in (-1.5, 1.5) for x in sign.at))
+    assert letters.disjoint(shapely.box(left, low, right, high))
 
 
 @pytest.mark.slow

@@ -42,7 +42,7 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
         here = [e for e in claimed if e.key in part.names]
         if uneven := [e for e in here if _differs(e, part, joint, best)]:
             # Then it is something else, and what is named beside it makes up for that.
-            why = Message("{name} is of another size in each part of the turn", name=names_of(uneven))
+            why = Message("of another size in each part of the turn: {names}", names=names_of(uneven))
             judgement = unclaimed(judgement, [e.name for e in here], why)
     return judgement
 

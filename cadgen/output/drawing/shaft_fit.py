@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import inf
 
-from cadgen.design.blank import Held, ShaftJoint
+from cadgen.design.blank import TIGHT, Held, ShaftJoint
 from cadgen.gears.fits import STEPS, deviations, zones_of
 from cadgen.messages import Message
 from cadgen.output.drawing.sheet import DIAMETER, SheetTable, rounded
@@ -29,11 +29,6 @@ _FILLETS: _Steps = ((4.0, 0.16), (8.0, 0.25), (18.0, 0.4), (32.0, 0.6), (50.0, 1
 _SYMMETRY: _Steps = (
     (3.0, 0.01), (6.0, 0.012), (10.0, 0.015), (18.0, 0.02), (30.0, 0.025), (50.0, 0.03), (inf, 0.04)
 )  # fmt: skip
-_TIGHT = {
-    ShaftJoint.CLAMPED: Message("clamped"),
-    ShaftJoint.PINNED: Message("pinned"),
-    ShaftJoint.GLUED: Message("glued"),
-}
 _TIGHT_KEY = "P9"  # of a keyway whose key has no play (DIN 6885-1)
 _DIGITS = 4  # of deviations, mm: half a grade may end in half a micrometre
 
@@ -90,7 +85,7 @@ class ShaftFit:
         """
         if self.joint == ShaftJoint.KEYED:
             return _after(hole_class(self.joint_fit))
-        return _after(_TIGHT_KEY) if self.joint in _TIGHT and width <= STEPS[-1] else ""
+        return _after(_TIGHT_KEY) if self.joint in TIGHT and width <= STEPS[-1] else ""
 
     @property
     def flat_class(self) -> str:
@@ -139,8 +134,8 @@ class ShaftFit:
             part = Message("key") if self.joint == ShaftJoint.KEYED else Message("D-shaft")
             least, most = self.clearance
             yield Message("Clearance of the {part}: {least:g} to {most:g} µm.", part=part, least=least, most=most)
-        elif self.joint in _TIGHT:
-            yield Message("On its shaft without play: {joint}.", joint=_TIGHT[self.joint])
+        elif self.joint in TIGHT:
+            yield Message("On its shaft without play: {joint}.", joint=TIGHT[self.joint])
 
     def thread_note(self, *, drawn: bool) -> Iterator[Message]:
         """Sentence on the thread of a set screw that no dimension names.
