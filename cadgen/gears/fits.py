@@ -3,7 +3,7 @@
 In a fit such as H7/g6 the hole or groove comes first, the shaft or key second. The letter says how far the zone keeps
 from the nominal size, the number how wide it is (IT grade, `tolerances.standard_tolerance`). Table 2 of ISO 286-1 gives
 the distances of d to h, and those of the holes D to H are the same on the other side; JS and js lie evenly about the
-size; N9 and P9 are the grooves of tight keys (DIN 6885). Sizes go up to 50 mm.
+size; N9 and P9 are the grooves of tight keys (DIN 6885). m6 is that of dowel pins (ISO 8734). Sizes go up to 50 mm.
 
 **Key.** It goes from one wall of its groove to the other, by the clearance c, and passes the force on where shaft and
 hub meet, at half the shaft's diameter d: the wheel turns freely by c / (d / 2). A key of 25 um of clearance on a shaft
@@ -38,6 +38,8 @@ TIGHT: dict[str, tuple[int, ...]] = {
     "P9": (-6, -12, -15, -18, -22, -26),
     "P7": (-6, -8, -9, -11, -14, -17),
 }
+# Lower deviation of a shaft that is thicker than its nominal size, um.
+THICK: dict[str, tuple[int, ...]] = {"m6": (2, 4, 6, 7, 8, 9)}
 GRADES = range(3, 13)
 _FIT = re.compile(r"([A-Z]{1,2})(\d{1,2})\s*/\s*([a-z]{1,2})(\d{1,2})")
 
@@ -63,11 +65,12 @@ def zones_of(fit: str, size: float | None = None) -> tuple[str, int, str, int]:
     if match is not None:
         hole, hole_grade, shaft, shaft_grade = match.group(1), int(match.group(2)), match.group(3), int(match.group(4))
         known = hole.lower() in AWAY or hole == "JS" or f"{hole}{hole_grade}" in TIGHT
-        if known and (shaft in AWAY or shaft == "js") and {hole_grade, shaft_grade} <= set(GRADES):
+        known = known and (shaft in AWAY or shaft == "js" or f"{shaft}{shaft_grade}" in THICK)
+        if known and {hole_grade, shaft_grade} <= set(GRADES):
             return hole, hole_grade, shaft, shaft_grade
     raise DesignError(
         'the fit "{fit}" is not in the table: give a hole of {holes} or JS (N9 or P9 for a groove, P7 to be pressed '
-        "on) and a shaft of {shafts} or js, with grades {finest} to {coarsest}, such as H7/g6",
+        "on) and a shaft of {shafts} or js (m6 for a dowel pin), with grades {finest} to {coarsest}, such as H7/g6",
         fit=brief(fit),
         holes=", ".join(letter.upper() for letter in AWAY),
         shafts=", ".join(AWAY),
@@ -134,6 +137,9 @@ def deviations(fit: str, size: float) -> tuple[tuple[float, float], tuple[float,
         high = low + width
     if shaft == "js":
         bottom, top = -own / 2, own / 2
+    elif f"{shaft}{shaft_grade}" in THICK:
+        bottom = float(THICK[f"{shaft}{shaft_grade}"][step])
+        top = bottom + own
     else:
         top = -float(AWAY[shaft][step])
         bottom = top - own
@@ -152,3 +158,17 @@ def clearance(fit: str, size: float) -> tuple[float, float]:
     """
     (low, high), (bottom, top) = deviations(fit, size)
     return max(low - top, 0.0), max(high - bottom, 0.0)
+
+
+def runs(fit: str, size: float) -> bool:
+    """Whether hole and shaft of a fit turn on each other at every size within their limits.
+
+    Args:
+        fit: such as `F8/h6`.
+        size: nominal, mm.
+
+    Raises:
+        DesignError: not a fit of this table, or a size beyond it.
+    """
+    (low, _), (_, top) = deviations(fit, size)
+    return low >= top - 1e-9

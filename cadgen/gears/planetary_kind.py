@@ -9,7 +9,7 @@ from annotated_types import Ge, Gt, Le
 
 from cadgen.errors import DesignError
 from cadgen.gears.choices import HeldMember, HelixHand, Spacing
-from cadgen.gears.fits import zones_of
+from cadgen.gears.fits import runs, zones_of
 from cadgen.gears.stage_kind import StageKind, ToothedTrain
 from cadgen.messages import Message
 
@@ -123,11 +123,11 @@ class PlanetaryKeys:
             raise ValueError(
                 Message("{here}.backlash_um and E_sn_um of its gears are both given: remove one of them", here="{here}")
             )
-        pins = {}
+        pins, size = {}, self.planet.bore_diameter_mm
         for key, fit in (("pin_fit", self.pin_fit), ("planet.bore_fit", self.planet.bore_fit)):
             if fit is None:
                 continue
-            if not self.planet.bore_diameter_mm:
+            if not size:
                 raise ValueError(
                     Message(
                         "{here}.{key} needs the pins that it is of: give {here}.planet.bore_diameter_mm",
@@ -136,7 +136,7 @@ class PlanetaryKeys:
                     )
                 )
             try:
-                *_, letter, grade = zones_of(fit, self.planet.bore_diameter_mm)
+                *_, letter, grade = zones_of(fit, size)
             except DesignError as error:
                 raise ValueError(
                     Message("{here}.{key}: {error}", here="{here}", key=key, error=error.message)
@@ -152,6 +152,20 @@ class PlanetaryKeys:
                     other=pins["planet.bore_fit"],
                 )
             )
+        if self.pin_fit and self.planet.bore_fit and not (runs(self.pin_fit, size) or runs(self.planet.bore_fit, size)):
+            raise ValueError(
+                Message(
+                    '{here}.pin_fit = "{one}" and planet.bore_fit = "{other}" may both be tight, and the planets '
+                    'then do not turn: give one of them a running fit, such as planet.bore_fit = "{usual}"',
+                    here="{here}",
+                    one=self.pin_fit,
+                    other=self.planet.bore_fit,
+                    usual=next((fit for each in _RUNNING if runs(fit := f"{each}/{pins['pin_fit']}", size)), "F8/h6"),
+                )
+            )
+
+
+_RUNNING = ("F8", "E8")  # holes that run on pins, the closer one first
 
 
 def _build(keys: PlanetaryKeys, train: ToothedTrain) -> PlanetaryStage:

@@ -364,6 +364,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         stem = f"{plan.stem}_{part.name}"
         data, blanks, places = [], [], [0.0]
         in_carrier: str | None = None
+        loose: list[Message] = []
         for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives, double=getattr(wheel, "double", False)))
@@ -372,6 +373,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
                 places.append(stated or pair.distance_deviation or 0.0)
                 pins = plan.making.pins.get(number)
                 in_carrier = pins.carrier if pins else None
+                if pins and pins.loose:
+                    loose = [Message("Pins run in the carrier and in the planets: hold them axially.")]
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined([_kind_of(gear) for gear in part.gears], " and ")
@@ -390,7 +393,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(place, *sheet_notes(part, made.made), *([plan.printing.note] if plan.printing else [])),
+            notes=(place, *sheet_notes(part, made.made), *loose, *([plan.printing.note] if plan.printing else [])),
             flank_texture=(plan.title and plan.title.flank_finish) or "",
             bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),

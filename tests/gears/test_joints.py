@@ -9,7 +9,7 @@ from scipy.optimize import brentq, linprog
 from cadgen.design import gear_model, variation
 from cadgen.design.load import load_design
 from cadgen.errors import DesignError
-from cadgen.gears.fits import clearance, deviations, flat_play, key_play
+from cadgen.gears.fits import clearance, deviations, flat_play, key_play, runs
 
 KEYED = ("blank.joint=keyed", "blank.joint_clearance_greatest_um=25")
 
@@ -84,6 +84,28 @@ def test_holes_and_grooves_have_the_printed_deviations(hole):
         if hole[0] in "DEFGH":
             _, shaft = deviations(f"H7/{hole.lower()}", size)
             assert np.array(shaft) * 1e3 == pytest.approx([-high, -low]), size
+
+
+def test_dowel_pins_have_the_printed_deviations():
+    """JIS B 0401 and an extract of DIN 6325 print both; a hole M7 ends at -m + IT7 - IT6, whose limits are printed."""
+    printed = ((2, 8), (4, 12), (6, 15), (7, 18), (8, 21), (9, 25))
+    upper_of_m7 = (None, 0, 0, 0, 0, 0)
+    for size, limits, m7 in zip((3.0, 6.0, 10.0, 18.0, 30.0, 50.0), printed, upper_of_m7, strict=True):
+        hole, pin = deviations("H7/m6", size)
+        assert np.array(pin) * 1e3 == pytest.approx(limits), size
+        width = (hole[1] - hole[0] - (pin[1] - pin[0])) * 1e3
+        assert m7 is None or m7 == pytest.approx(width - pin[0] * 1e3), size
+    with pytest.raises(DesignError, match="m6 for a dowel pin"):
+        deviations("H7/m7", 8.0)
+
+
+@pytest.mark.parametrize(
+    ("fit", "size", "expected"),
+    [("F8/h6", 4.0, True), ("H7/h6", 4.0, True), ("P7/h6", 4.0, False), ("F8/m6", 4.0, False), ("E8/m6", 4.0, True)],
+)
+def test_a_fit_runs_whose_thickest_shaft_goes_into_its_tightest_hole(fit, size, expected):
+    """Over 3 up to 6 mm: F8 from +10, E8 from +20, H7 from 0, P7 to -8, m6 to +12, h6 to 0 µm."""
+    assert runs(fit, size) is expected
 
 
 @pytest.mark.parametrize("fit", ["H7", "h7/H6", "S7/h6", "H7/q6", "H99/h6", "H7/g6 "])

@@ -442,3 +442,31 @@ def test_pins_without_fits_are_named_and_those_of_two_classes_refused(sheets, tm
         train_of(two.replace("pin_place_um", 'pin_fit = "P7/g6"\npin_place_um'), place)
     with pytest.raises(DesignError, match="pin_fit needs the pins"):
         train_of(PLANETARY.replace(", bore_diameter_mm = 4.0 }", ' }\npin_fit = "P7/h6"'), place)
+
+
+@pytest.mark.parametrize(
+    ("carrier", "planets", "usual"),
+    [("P7/h6", "P7/h6", "F8/h6"), ("H7/m6", "F8/m6", "E8/m6"), ("JS7/h6", "JS7/h6", "F8/h6")],
+)
+def test_planets_that_cannot_turn_are_refused_with_a_fit_that_lets_them(carrier, planets, usual, tmp_path) -> None:
+    def design(carrier: str, planets: str) -> None:
+        fits = PLANETARY.replace("bore_diameter_mm = 4.0 }", f'bore_diameter_mm = 4.0, bore_fit = "{planets}" }}')
+        train_of(fits.replace("pin_place_um", f'pin_fit = "{carrier}"\npin_place_um'), tmp_path / "train.toml")
+
+    with pytest.raises(DesignError, match="the planets then do not turn") as refused:
+        design(carrier, planets)
+    assert f'planet.bore_fit = "{usual}"' in str(refused.value)
+    design(carrier, usual)
+    design(usual, planets)  # pressed on pins that run in the carrier
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("carrier", "told"), [("P7/h6", False), ("H7/h6", True)])
+def test_pins_that_nothing_holds_are_told_on_the_sheet_of_their_carrier(carrier, told, tmp_path) -> None:
+    fits = PLANETARY.replace("bore_diameter_mm = 4.0 }", 'bore_diameter_mm = 4.0, bore_fit = "F8/h6" }')
+    fits = fits.replace("pin_place_um", f'pin_fit = "{carrier}"\npin_place_um')
+    plan = plan_gears(train_of(fits, tmp_path / "train.toml"))
+    drawn = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
+    assert [stem for stem, sheet in drawn.items() if any("hold them axially" in note for note in sheet.notes)] == (
+        ["2_wheel"] if told else []
+    )

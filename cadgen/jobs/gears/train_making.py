@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from cadgen.design.gear_model import made_by
 from cadgen.design.train import GearBlankSection, PlateSection, SpurStage, TrainSection
 from cadgen.gears.cutting import Made
+from cadgen.gears.fits import runs
 from cadgen.gears.planetary_kind import PlanetaryKeys
 from cadgen.messages import Message
 from cadgen.output.drawing.shaft_fit import ShaftFit
@@ -43,10 +44,18 @@ class PinMaking:
     Attributes:
         planets: fit of the planets on their pins; None where the design does not say.
         carrier: fit of the pins in the carrier; None where the design does not say.
+        diameter: diameter of the pins, mm.
     """
 
     planets: str | None
     carrier: str | None
+    diameter: float
+
+    @property
+    def loose(self) -> bool:
+        """Whether they may slide out, since they run in the carrier and in the planets."""
+        fits = (self.planets, self.carrier)
+        return all(fit is not None and runs(fit, self.diameter) for fit in fits)
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +109,11 @@ class TrainMaking:
             shaft("output", keys.output),
             shaft("beside", GearBlankSection()),
             {
-                number: PinMaking(stage.keys.planet.bore_fit, stage.keys.pin_fit)
+                number: PinMaking(stage.keys.planet.bore_fit, stage.keys.pin_fit, size)
                 for number, stage in enumerate(keys.stages, 1)
                 if not isinstance(stage, SpurStage)
                 and isinstance(stage.keys, PlanetaryKeys)
-                and stage.keys.planet.bore_diameter_mm
+                and (size := stage.keys.planet.bore_diameter_mm)
             },
             plate.material,
             plate.hole_fit,
