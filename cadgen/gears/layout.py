@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
-from cadgen.gears.stage import Standing, Wheel, is_bar, is_ring, rim_diameter
+from cadgen.gears.stage import Standing, Wheel, holes_of, is_bar, is_ring, rim_diameter
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
@@ -390,7 +390,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
         # It is turned over about x, which turns the arrow of a double helix round.
         first = replace(first, helix_angle=-first.helix_angle)
     drive = _made(1, Message("drive"), gear_body, first, blanks[0])
-    parts = [part("1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
+    parts = [part("1_ring" if is_ring(first) else "1_pinion", 1, (first,), blanks[0], drive, plane + first.width / 2)]
     for shaft, (before, after) in enumerate(pairwise(stages), 2):
         lower, upper = before.wheels[1], after.wheels[0]
         if is_bar(lower):
@@ -419,7 +419,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
     shaft = len(stages) + 1
     output = _made(shaft, Message("output"), gear_body, last, blanks[-1])
     height = plane + stages[-1].rise - last.width / 2
-    kind = "rack" if is_bar(last) else "wheel"
+    kind = "rack" if is_bar(last) else "carrier" if holes_of(last) else "wheel"
     parts.append(part(f"{shaft}_{kind}", shaft, (last,), blanks[-1], output, height))
     return parts, planes
 

@@ -383,7 +383,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         fit = made.fit
         if part.figures == PLANET and part.stages[0] in plan.making.pins:
             fit = ShaftFit(bore=plan.making.pins[part.stages[0]].planets)
-        if part.beside:
+        if part.beside or is_bar(part.gears[0]):
             place = Message("Stage {number} of the train, counted from the drive.", number=part.stages[0])
         sheet = GearPart(
             part=part,
@@ -432,6 +432,8 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
 def _kind_of(wheel: Wheel) -> str:
     """Kind of a wheel with the number of its teeth or planets, for the title of its sheet."""
     match wheel:
+        case GearForm(teeth=teeth) if is_ring(wheel):
+            return Message("ring gear of {teeth} teeth", teeth=teeth)
         case GearForm(teeth=teeth):
             return Message("gear of {teeth} teeth", teeth=teeth)
         case Bar(form=form):

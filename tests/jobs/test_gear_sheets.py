@@ -147,7 +147,7 @@ def test_tips_are_smaller_by_no_more_than_a_tenth_of_the_module(sheets) -> None:
     }
     assert said["1_pinion"] == [" 0/-0.1"]
     assert said["stage1_ring"] == [" +0.1/0"]
-    assert said["2_wheel"] == [""]  # a carrier
+    assert said["2_carrier"] == [""]  # a carrier
 
 
 def test_gears_say_run_outs_by_frames_to_their_bore(sheets) -> None:
@@ -177,7 +177,7 @@ def test_the_middle_of_a_keyway_is_held_to_the_bore(sheets) -> None:
 
 def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
     """Pins within 8 µm of their places lie in zones of 16 µm; tips of a rack keep the distance of its pinion."""
-    carrier = sheets["planetary"]["2_wheel"]
+    carrier = sheets["planetary"]["2_carrier"]
     assert (frames(carrier)["pins"].zone_text, frames(carrier)["pins"].datums) == ("Ø0.016", ("A",))
     assert [each.name for view in carrier.views for each in view.dimensions if getattr(each, "exact", False)] == [
         "circle of holes"
@@ -193,7 +193,7 @@ def test_a_carrier_without_a_bore_holds_its_pins_to_each_other(tmp_path) -> None
     """No axis is given that they could be counted from: the zones are combined (ISO 5458)."""
     text = PLANETARY.replace("[train.output]\nbore_diameter_mm = 6.0\n", "")
     plan = plan_gears(train_of(text, tmp_path / "train.toml"))
-    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_wheel"))
+    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_carrier"))
     assert (frames(sheet)["pins"].zone_text, frames(sheet)["pins"].datums) == ("Ø0.016 CZ", ())
     assert datums(sheet) == ""
 
@@ -203,7 +203,7 @@ def test_a_carrier_whose_planets_stand_at_unequal_angles_says_them(tmp_path) -> 
     text = PLANETARY.replace("teeth = 18", "teeth = 17").replace("teeth = 27", "teeth = 26")
     text = text.replace("pin_place_um = 8.0", 'spacing = "nearest"')
     plan = plan_gears(train_of(text, tmp_path / "train.toml"))
-    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_wheel"))
+    sheet = next(sheet for stem, sheet in sheets_of(plan, NOWHERE) if stem.endswith("2_carrier"))
     angles = [each for each in sheet.views[0].dimensions if isinstance(each, AngularDimension)]
     assert [each.end - each.start for each in angles] == pytest.approx([29 * 360 / 86, 28 * 360 / 86])
     assert all(each.exact for each in angles)
@@ -251,11 +251,52 @@ def test_the_teeth_of_a_helical_rack_lean_on_its_sheet_as_in_its_mesh(hand, tmp_
         assert end[:, 1] == pytest.approx(-height)  # the first angle of projection
     (angle,) = view.dimensions
     assert angle.end - angle.start == pytest.approx(15.0)
+    # From the front the end that leans out behind the face is seen, and the whole bar is that much longer.
+    front = sheet.views[0]
+    drawn = np.vstack([each.points for each in front.curves if isinstance(each, Stroke) and each.line == "VISIBLE"])
+    near = corners[abs(corners[:, 2] - 8.0) < 1e-6, 0].min()
+    ends = np.array([corners[:, 0].min(), corners[:, 0].max()]) - near
+    out = ends[0] if hand == "right" else ends[1]  # of the rack, whose hand is the other one
+    assert (drawn[:, 0].min() if hand == "right" else drawn[:, 0].max()) == pytest.approx(out, abs=1e-5)
+    assert (drawn[:, 1].min(), drawn[:, 1].max()) == pytest.approx((-8.0, 1.0))
+    assert sheet.dimensions["total length"] == pytest.approx(np.ptp(ends), abs=1e-5)
+    assert sheet.dimensions["total length"] - sheet.dimensions["length"] == pytest.approx(8.0 * np.tan(np.radians(15)))
+    (whole,) = (each for each in front.dimensions if each.name == "total length")
+    assert (whole.prefix, whole.suffix) == ("(", ")")
+    assert rows.keys() >= {"over a ball from back, mm", "axis to reference line, mm"}
+
+
+def test_sections_have_the_lines_of_pitch_cylinders(sheets) -> None:
+    """Thin chain lines at half the reference diameter, z m / 2, on either side of the axis (ISO 2203)."""
+    for name, stem, radii in (
+        ("two stages", "2_cluster", {30.0, 12.0}),
+        ("ring", "2_wheel", {27.0}),
+        ("planetary", "2_carrier", set()),
+    ):
+        section = sheets[name][stem].views[1]
+        lines = [each.points for each in section.curves if isinstance(each, Stroke) and each.line == LineKind.CENTRE]
+        level = {round(float(each[0, 1]), 6) for each in lines if len(each) == 2 and each[0, 1] == each[1, 1]}
+        assert level == {0.0} | radii | {-each for each in radii}, stem
+
+
+def test_what_a_design_cannot_state_is_said_to_be_open(sheets, tmp_path) -> None:
+    """Neither rings nor racks have keys for what holds them; a sun that is held is on no shaft and no pin."""
+    assert any("nor what holds the ring" in note for note in sheets["ring"]["2_wheel"].notes)
+    assert any("states no fastening" in note for note in sheets["rack"]["2_rack"].notes)
+    assert sheets["ring"]["2_wheel"].title.part == "2_wheel: ring gear of 54 teeth"
+    text = PLANETARY.replace('kind = "planetary"', 'kind = "planetary"\nheld = "sun"')
+    text = text.replace("sun = { teeth = 18 }", "sun = { teeth = 18, bore_diameter_mm = 6.0 }")
+    text = text.replace("[train.drive]\nbore_diameter_mm = 5.0\n", "")
+    plan = plan_gears(train_of(text, tmp_path / "train.toml"))
+    held = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
+    assert held.keys() == {"1_ring", "2_carrier", "stage1_planet_1", "stage1_sun", "plate"}
+    assert any("choose it with what holds the gear" in note for note in held["stage1_sun"].notes)
+    assert any("choose it with the pin" in note for note in held["stage1_planet_1"].notes)
 
 
 def test_titles_and_hands_are_in_chinese_too(sheets, tmp_path) -> None:
     """The title of a carrier or a rack, and the hand of a helix, have no English word left but names of files."""
-    for name, stem in (("planetary", "2_wheel"), ("rack", "2_rack")):
+    for name, stem in (("planetary", "2_carrier"), ("rack", "2_rack")):
         title = translate(sheets[name][stem].title.part, "zh")
         assert not re.search("[A-Za-z]{2}", str(title).partition("：")[2]), title
     helix = Figures(Figure("teeth", "", 20), Figure("helix_angle", "", -15.0))
@@ -419,21 +460,21 @@ def test_pins_have_their_fits_in_carrier_and_planets(tmp_path) -> None:
         train_of(fits.replace("pin_place_um", 'pin_fit = "P7/h6"\npin_place_um'), tmp_path / "train.toml")
     )
     drawn = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
-    (hole,) = (each for view in drawn["2_wheel"].views for each in view.dimensions if each.name == "hole")
+    (hole,) = (each for view in drawn["2_carrier"].views for each in view.dimensions if each.name == "hole")
     assert (hole.prefix, hole.suffix) == ("3 × ", " P7")
-    limits = [table for table in drawn["2_wheel"].tables if table.title == "limits, mm"]
+    limits = [table for table in drawn["2_carrier"].tables if table.title == "limits, mm"]
     assert [table.rows for table in limits] == [(("Ø4 P7", "-0.008/-0.02"),)]
     (bore,) = (each for view in drawn["stage1_planet_1"].views for each in view.dimensions if each.name == "bore")
     assert bore.suffix == " F8"
     limits = [table for table in drawn["stage1_planet_1"].tables if table.title == "limits, mm"]
     assert [table.rows for table in limits] == [(("Ø4 F8", "+0.028/+0.01"),)]
     assert not any("not stated" in note for stem in ("stage1_planet_1",) for note in drawn[stem].notes)
-    assert not any("Fit of the pins" in note for note in drawn["2_wheel"].notes)
+    assert not any("Fit of the pins" in note for note in drawn["2_carrier"].notes)
     assert "train.stages.1.pin_fit" not in plan.making.open_keys(2).values()
 
 
 def test_pins_without_fits_are_named_and_those_of_two_classes_refused(sheets, tmp_path) -> None:
-    assert any("Fit of the pins: not stated" in note for note in sheets["planetary"]["2_wheel"].notes)
+    assert any("Fit of the pins: not stated" in note for note in sheets["planetary"]["2_carrier"].notes)
     place = tmp_path / "train.toml"
     open_keys = plan_gears(train_of(PLANETARY, place)).making.open_keys(2).values()
     assert {"train.stages.1.pin_fit", "train.stages.1.planet.bore_fit"} <= set(open_keys)

@@ -66,7 +66,7 @@ def test_a_set_is_made_with_carrier_and_planets_as_bodies(whole):
     assert train.passed, train.failed
     assert train.ratio == 5
     assert [part.name for part in train.layout.parts] == [
-        *("1_pinion", "2_wheel", "stage1_planet_1", "stage1_planet_2", "stage1_planet_3", "stage1_ring")
+        *("1_pinion", "2_carrier", "stage1_planet_1", "stage1_planet_2", "stage1_planet_3", "stage1_ring")
     ]
     facts = train.facts()["stages"][0]
     assert facts["planet_angles_deg"] == pytest.approx([0, 120, 240])

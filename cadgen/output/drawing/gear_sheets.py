@@ -7,12 +7,14 @@ from itertools import pairwise
 from math import atan2, degrees, radians, sin
 
 import numpy as np
+import shapely
 
 from cadgen.arrays import Array
 from cadgen.curves.contour import Contour, circle
 from cadgen.figures import Figures
 from cadgen.gears.inspection import gauge_in
 from cadgen.gears.layout import TrainPart
+from cadgen.gears.planetary_stage import PLANET
 from cadgen.gears.rack import RackForm
 from cadgen.gears.stage import Stage, Wheel, holes_of, is_ring, rim_diameter
 from cadgen.gears.tolerances import tip_tolerance
@@ -154,9 +156,12 @@ def gear_rows(
             else Message("arc"),
         ),
         (Message("face width"), f"2 × {rounded(width / 2)} mm" if double and width else mm("width")),
-        (Message("grade, ISO 1328-1"), "" if grade is None or exact else as_gear if length else str(grade)),
+        (Message("grade, ISO 1328-1:1995"), "" if grade is None or exact else as_gear if length else str(grade)),
         *((name, zone(code)) for name, code in _FLANKS),
-        (Message("centre distance, mm"), f"{apart} ± {deviation:.4f}" if deviation else apart),
+        (
+            Message("axis to reference line, mm") if length else Message("centre distance, mm"),
+            f"{apart} ± {deviation:.4f}" if deviation else apart,
+        ),
         (Message("meshes with"), mates[0]),
         *((Message("and with"), mate) for mate in mates[1:]),
         (
@@ -168,7 +173,10 @@ def gear_rows(
         (Message("span needs a face of"), mm("span_width_needed") if gear.value("span_max") is None else ""),
         (Message("ball diameter D_M") if helix or ring else Message("pin diameter D_M"), mm(gauge.diameter)),
         (Message("between balls, mm") if ring else pins, limits(gauge.size)),
-        (Message("over a pin from back, mm"), limits("over_pin")),
+        (
+            Message("over a ball from back, mm") if helix else Message("over a pin from back, mm"),
+            limits("over_pin"),
+        ),
         (
             Message("contact + overlap ratio") if helix else Message("contact ratio"),
             " + ".join(
@@ -186,10 +194,12 @@ _FLANKS = (
     (Message("profile F_alpha"), "F_alpha"),
     (Message("helix F_beta"), "F_beta"),
 )
+_GRID = 1e-6  # mm, to which outlines are joined
 _CHORD = 1e-4  # of outlines on the sheet, as a share of their radius
+_BEYOND = 2.0  # mm on paper by which a pitch line stands out
 _ON_LINE, _LEADER = 3.6, 7.0  # mm on paper along an extension line to a leader, and length of the leader
 _SAME = 0.01  # mm, within which an outline has the tip circle of a gear
-_UNDER = 40.0  # mm on paper from the back of a rack to the view on its teeth
+_UNDER = 46.0  # mm on paper from the back of a rack to the view on its teeth
 _GAP = 8.0  # mm on paper from the part to a dimension line, and from line to line
 _TABLE = {1: (42.0, 42.0), 2: (37.0, 30.0, 30.0)}  # widths of the columns by the number of gears, mm
 
@@ -310,7 +320,10 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     """Sheet of a rack: its transverse section, and its end from the side."""
     root, tip = -rack.dedendum_factor * rack.normal_module, rack.addendum_factor * rack.normal_module
     back, length, width = -rack.back_height, rack.length, rack.width
-    notes, table_width = gear.notes, sum(_TABLE[1])
+    # Ends lean with the teeth: the face that lies behind begins this much farther to the left, mm.
+    shift = width * rack.outline.run.lean
+    first, last = min(0.0, -shift), length + max(0.0, -shift)
+    notes, table_width = tuple(_rack_notes(gear, rack)), sum(_TABLE[1])
 
     def table_of(size: str) -> SheetTable:
         at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
@@ -325,37 +338,50 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     # Teeth that lean are seen from over them, too, below the face.
     leans, below = bool(rack.helix_angle), (width, _UNDER) if rack.helix_angle else (0.0, 0.0)
     beside = (table_width + 74.0, TITLE_SIZE[1] + 40.0 + below[1])
-    size, scale = chosen_sheet((length + width, tip - back + below[0]), beside, 1.0, 5.0, holds)
+    size, scale = chosen_sheet((last - first + width, tip - back + below[0]), beside, 1.0, 5.0, holds)
     gap, middle = _GAP / scale, EDGE + TITLE_SIZE[1] + (SIZES[size][1] - 2 * EDGE - TITLE_SIZE[1]) / 2
+    under = 3.1 if leans else 2.2  # gaps from the back to the words under it
     middle += (scale * below[0] + below[1]) / 2
-    face_at, side_at = (LEFT + 20.0, middle), (LEFT + 50.0 + scale * length, middle)
-    line = np.array([[-0.5 * gap, 0.0], [length + 0.5 * gap, 0.0]])
-    teeth: tuple[Closed | Stroke, ...] = (_outline(rack.outline),)
+    face_at = (LEFT + 20.0 - scale * first, middle)
+    side_at = (face_at[0] + 30.0 + scale * last, middle)
+    line = np.array([[first - 0.5 * gap, 0.0], [last + 0.5 * gap, 0.0]])
+    teeth: tuple[Closed | Stroke, ...] = (_outline(rack.outline), *_behind(rack.outline, shift))
     if gear.simplified:
-        box = np.array([[0.0, back], [length, back], [length, tip], [0.0, tip], [0.0, back]])
-        teeth = Stroke(box), Stroke(np.array([[0.0, root], [length, root]]), LineKind.THIN)
+        box = np.array([[first, back], [last, back], [last, tip], [first, tip], [first, back]])
+        teeth = Stroke(box), Stroke(np.array([[first, root], [last, root]]), LineKind.THIN)
+        if leans:
+            x = 0.0 if shift > 0 else length
+            teeth = (*teeth, Stroke(np.array([[x, back], [x, tip]])))
     half = rack.pitch / 2
     middle_of_first = np.array([[half, root], [half, tip + gap]])
     long = TEXT * WIDEST * len(rounded(half)) / 2
-    first = LinearDimension(
+    first_tooth = LinearDimension(
         name="middle of the first tooth",
         start=(0.0, tip),
         end=(half, tip + gap),
         at=(0.0, tip + gap),
         beside=scale * half / 2 + TAIL + long + 1.0,
     )
+    # In brackets: length, width and angle say how long it is (ISO 129-1).
+    whole = LinearDimension(
+        name="total length",
+        start=(first, back),
+        end=(last, back),
+        at=(first, back - 1.9 * gap),
+        prefix="(",
+        suffix=")",
+    )
     face = View(
         place=face_at,
         curves=(*teeth, Stroke(line, LineKind.CENTRE), Stroke(middle_of_first, LineKind.CENTRE)),
         dimensions=(
             LinearDimension(name="length", start=(0.0, back), end=(length, back), at=(0.0, back - gap)),
-            replace(upright("height to the reference line", 0.0, (back, 0.0), -gap, scale), exact=True),
-            first,
+            *([whole] if leans else []),
+            replace(upright("height to the reference line", first, (back, 0.0), first - gap, scale), exact=True),
+            first_tooth,
         ),
-        labels=(Label(text=Message("from above"), at=(length / 2, back - 2.2 * gap), height=3.5),),
-        symbols=(SurfaceTexture(value=gear.flank_texture, tip=(length + 0.3 * gap, 0.0)),)
-        if gear.flank_texture
-        else (),
+        labels=(Label(text=Message("from the front"), at=(length / 2, back - under * gap), height=3.5),),
+        symbols=(SurfaceTexture(value=gear.flank_texture, tip=(last + 0.3 * gap, 0.0)),) if gear.flank_texture else (),
     )
     corners = np.array([[0.0, back], [width, back], [width, tip], [0.0, tip], [0.0, back]])
     tips_off = f" {limits(-tip_tolerance(tip - back, rack.normal_module), 0.0)}"
@@ -368,7 +394,7 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
             # In brackets: the pin says how deep it is cut.
             upright("height of the roots", width, (back, root), width + 2 * gap, scale, "(", ")"),
         ),
-        labels=(Label(text=Message("from the side"), at=(width / 2, back - 2.2 * gap), height=3.5),),
+        labels=(Label(text=Message("from the side"), at=(width / 2, back - under * gap), height=3.5),),
     )
     if gear.parallel:
         # Over the end of the rack, towards its side; the datum on the extension line of the height.
@@ -386,7 +412,7 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
             face,
             symbols=(
                 *face.symbols,
-                DatumFeature(letter="A", foot=(-0.45 * gap, back), angle=270.0),
+                DatumFeature(letter="A", foot=(first - 0.45 * gap, back), angle=270.0),
             ),
         )
     over = (_over_teeth(rack, (face_at[0], middle + scale * back - below[1]), scale),) if leans else ()
@@ -401,10 +427,40 @@ def _rack_drawing(gear: GearPart, rack: RackForm, title: Title) -> DrawingSheet:
     )
 
 
+def _behind(outline: Loop, shift: float) -> Iterator[Stroke]:
+    """Edges of a bar whose ends lean that stand out behind its face: the rim of all its sections over each other.
+
+    Args:
+        outline: section at the face that is seen.
+        shift: way by which the sections behind it come to stand farther to the left, mm.
+    """
+    if not shift:
+        return
+    corners = _points(outline)
+    following, away = np.roll(corners, -1, axis=0), np.array([-shift, 0.0])
+    swept = [
+        shapely.Polygon(each).buffer(0.0)
+        for each in np.stack([corners, following, following + away, corners + away], axis=1)
+    ]
+    near = shapely.Polygon(corners)
+    far = shapely.Polygon(corners + away)
+    whole = shapely.union_all([near, far, *swept], grid_size=_GRID)
+    edges = shapely.difference(whole.exterior, shapely.union_all(near.exterior, grid_size=_GRID).buffer(2 * _GRID))
+    for part in shapely.get_parts(shapely.line_merge(edges)):
+        yield Stroke(shapely.get_coordinates(part))
+
+
+def _rack_notes(gear: GearPart, rack: RackForm) -> Iterator[str]:
+    if rack.helix_angle:
+        yield Message("Ends parallel to the teeth, as drawn.")
+    yield Message("No holes: the design states no fastening.")
+    yield from gear.notes
+
+
 def _over_teeth(rack: RackForm, place: tuple[float, float], scale: float) -> View:
     """A helical rack seen on its teeth: tips, slanted ends and their angle.
 
-    Its upper face is that of the view from above, and lies farthest from it in the first angle of projection.
+    Its upper face is that of the view from the front, and lies farthest from it in the first angle of projection.
 
     Args:
         rack: helical rack.
@@ -446,7 +502,7 @@ def _outline(loop: Loop, line: LineKind = LineKind.VISIBLE) -> Closed:
 
 
 def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
-    """The part from above, where its hub or its upper gear stands; what lies below is left out."""
+    """The part on its upper end, where its hub or its upper gear stands; what lies below is left out."""
     part, gap = gear.part, _GAP / scale
     blank = part.blank
     reach = _reach(part.body)
@@ -509,7 +565,7 @@ def _face(gear: GearPart, place: tuple[float, float], scale: float) -> View:
     screw = ScrewHole.of(blank, part.body.radial_hole, gear.fit.thread)
     plane, letters = cutting_plane(0.0, reach + 0.3 * gap, scale)
     curves += [*(screw.face() if screw else ()), *plane]
-    words = Message("from above")
+    words = Message("upper end")
     aside = 0.0
     if isinstance(blank.key, Keyway):  # clear of the leader that comes down from the keyway
         leader = blank.bore_diameter / 2 + blank.key.depth + 0.7 * gap
@@ -658,6 +714,9 @@ def _section(gear: GearPart, place: tuple[float, float], scale: float) -> View:
         root = wheel.root_diameter / 2 if wheel.outline.repeats > 1 else tip
         corners = np.array([(start, root), (start, tip), (end, tip), (end, root)])
         strokes += [Stroke(corners * [1.0, side]) for side in (1.0, -1.0)]
+        if pitch := getattr(wheel, "reference_diameter", 0.0) / 2:  # of the pitch cylinder (ISO 2203)
+            line = np.array([(start - _BEYOND / scale, pitch), (end + _BEYOND / scale, pitch)])
+            strokes += [Stroke(line * [1.0, side], LineKind.CENTRE) for side in (1.0, -1.0)]
         out = start - 0.9 * gap if number == 0 else end + (1.95 if keyed else 0.9) * gap
         tips = axial_diameter(f"tip diameter, {name}", start if number == 0 else end, tip, out)
         dimensions += [
@@ -813,10 +872,17 @@ def _notes(gear: GearPart) -> Iterator[str]:
     if any(map(holes_of, gear.part.gears)) and not gear.pin_class:
         yield Message("Fit of the pins: not stated; choose it with the pins.")
     if blank.bore_diameter and gear.part.beside and not gear.fit.bore:
-        yield Message("Fit of the bore: not stated; choose it with the pin.")
+        pin = Message("Fit of the bore: not stated; choose it with the pin.")
+        yield (
+            pin
+            if gear.part.figures == PLANET
+            else Message("Fit of the bore: not stated; choose it with what holds the gear.")
+        )
     elif blank.bore_diameter:
         yield from gear.fit.notes(blank)
-    elif not is_ring(gear.part.gears[0]):
+    elif is_ring(gear.part.gears[0]):
+        yield Message("The design states neither a fit of the outside nor what holds the ring.")
+    else:
         yield Message("No bore: the design states none.")
     yield from gear.notes
 

@@ -65,7 +65,7 @@ def test_order_of_the_table(tables):
         "root form diameter",
         "root diameter, as cut",
         "face width",
-        "grade, ISO 1328-1",
+        "grade, ISO 1328-1:1995",
         "centre distance, mm",
         "meshes with",
         "thickness E_sns / E_sni",
