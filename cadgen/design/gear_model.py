@@ -1,7 +1,7 @@
 """From a design's [train] to what the gear rooms work on: mm and rad."""
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 from math import radians
 from typing import TypeVar
 
@@ -13,15 +13,17 @@ from cadgen.errors import DesignError
 from cadgen.gears.choices import HelixHand, ToleranceStandard, ToothCutting
 from cadgen.gears.cutting import Made
 from cadgen.gears.fits import clearance, flat_play, key_play
-from cadgen.gears.layout import Blanks
+from cadgen.gears.layout import Blanks, TrainPart
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.pair import closest as nominal_distance
+from cadgen.gears.planetary_kind import PlanetaryKeys
 from cadgen.gears.ring import ring_of
 from cadgen.gears.spur import SpurPair
-from cadgen.gears.stage import Stage, Wheel, is_bar
+from cadgen.gears.stage import Stage, Wheel, is_bar, is_ring
 from cadgen.gears.stage_kind import ToothedTrain
 from cadgen.gears.synthesis import SearchLimits
 from cadgen.gears.tolerances import ToleranceOverrides
+from cadgen.gears.tools import ROTATING, CutBlank
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Loose, Train, bearings
 from cadgen.messages import Message
@@ -82,14 +84,24 @@ def train(design: TrainDesign) -> Train:
 def blanks(design: TrainDesign) -> Blanks:
     """Features of the gears besides their teeth, by their place in the train."""
     keys = train_keys(design)
+
+    def blank(place: str, section: GearBlankSection) -> Blank:
+        made, plain = _made(design, place, section), _blank(section)
+        if made.tool is None or made.apart:
+            return plain
+        return CutBlank(**{each.name: getattr(plain, each.name) for each in fields(plain)}, tool=made.tool)
+
     places = (keys.drive, keys.intermediate, keys.output)
     drive, intermediate, output = (bool(place.shaft_ends) for place in places)
     return Blanks(
         drive=_blank(keys.drive),
-        intermediate=_blank(keys.intermediate),
+        intermediate=blank("intermediate", keys.intermediate),
         output=_blank(keys.output),
         ending=(drive, intermediate, output),
-        own=tuple((each.shaft, _blank(each), bool(each.shaft_ends)) for each in keys.shafts or ()),
+        own=tuple(
+            (each.shaft, blank(f"shafts.{place}", each), bool(each.shaft_ends))
+            for place, each in enumerate(keys.shafts or (), 1)
+        ),
     )
 
 
@@ -99,29 +111,49 @@ _JOINED = TIGHT | {
 }
 
 
-def made_by(keys: TrainSection, place: str, blank: GearBlankSection) -> Made:
-    """How the teeth of a part are made.
+def makings(design: TrainDesign, parts: Sequence[TrainPart]) -> tuple[Made, ...]:
+    """How the teeth of each part of a train are made: printed if files take back a printer's, unless stated.
 
-    Args:
-        keys: section of the train.
-        place: place of the part in it.
-        blank: section of the part.
-    """
-    joined = _JOINED[blank.joint] if blank.joint else ""
-    return Made(place, blank.cutting or keys.cutting, bool(blank.cut_apart), keys.cutter_diameter_mm, joined)
-
-
-def makings(design: TrainDesign, shafts: int) -> tuple[Made, ...]:
-    """How the teeth on each shaft are made, from the drive to the output; printed, if files take back a printer's.
+    Inside teeth of a train that is hobbed or milled are shaped, for these tools do not reach inside.
 
     Args:
         design: loaded design.
-        shafts: number of shafts.
+        parts: parts of its train, those on the shafts first.
     """
     keys = train_keys(design)
-    found = tuple(made_by(keys, place, blank) for place, blank in keys.on_shafts(shafts))
-    printed = ToothCutting.PRINTED if design.export.printing else None
-    return tuple(replace(each, cutting=each.cutting or printed) for each in found)
+    on_shafts = keys.on_shafts(sum(not part.beside for part in parts))
+    made = []
+    for number, part in enumerate(parts):
+        place, blank = ("", GearBlankSection()) if part.beside else on_shafts[number]
+        each = _made(design, place, blank)
+        if is_ring(part.gears[0]):
+            own, stage = blank.cutting, keys.stages[part.stages[0] - 1]
+            if not isinstance(stage, SpurStage) and isinstance(stage.keys, PlanetaryKeys):
+                own = (stage.keys.ring.cutting if stage.keys.ring else None) or own
+                each = replace(each, key=f"train.stages.{part.stages[0]}.ring.cutting", cutting=own or each.cutting)
+            if own is None and each.cutting in ROTATING:
+                each = replace(each, cutting=ToothCutting.SHAPED, instead=each.cutting)
+        made.append(each)
+    return tuple(made)
+
+
+def _made(design: TrainDesign, place: str, blank: GearBlankSection) -> Made:
+    """How the teeth of a part with outside teeth are made.
+
+    Args:
+        design: loaded design.
+        place: place of the part in the section of the train; empty for one beside the shafts.
+        blank: section of the part.
+    """
+    keys = train_keys(design)
+    return Made(
+        place,
+        key=f"train.{place}.cutting" if place else "train.cutting",
+        cutting=blank.cutting or keys.cutting or (ToothCutting.PRINTED if design.export.printing else None),
+        apart=bool(blank.cut_apart),
+        cutter=keys.cutter_diameter_mm,
+        joined=_JOINED[blank.joint] if blank.joint else "",
+    )
 
 
 def loose(design: TrainDesign, of: Train | None) -> tuple[Loose, ...]:

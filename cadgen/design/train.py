@@ -257,7 +257,7 @@ class GearHub(DesignSection):
 
     Without one there, they get a collar as thick as their roots allow, so that the wheels of neighbouring stages do
     not rub: 1 mm long, or twice clearance_mm if that is more, and longer where gears stand out over those in mesh with
-    them.
+    them, or where a stated tool needs more room.
     """
 
     diameter_mm: Feature = Field(le=1000, description="outer diameter of the hub")
@@ -608,6 +608,36 @@ class TrainSection(DesignSection):
                 raise ValueError(
                     Message("train.{place}.cut_apart is of a shaft with two gears: remove it", place=place)
                 )
+        return self
+
+    @model_validator(mode="after")
+    def _cutter_is_a_tool(self) -> "TrainSection":
+        diameter = self.cutter_diameter_mm
+        if diameter is None:
+            return self
+        from cadgen.gears.tools import LEAST_CUTTER, ROTATING, usual_hob
+
+        stated = [each.cutting or self.cutting for _, each in self.on_shafts(len(self.stages) + 1)]
+        if not any(each is None or each in ROTATING for each in stated):
+            raise ValueError(
+                Message(
+                    "train.cutter_diameter_mm is of a hob or a disc cutter, and no teeth are hobbed or milled: "
+                    "remove it"
+                )
+            )
+        pairs = [(stage.driver, stage.driven) for stage in self.stages if isinstance(stage, SpurStage)]
+        module = max((gear.module_mm or self.module_mm for pair in pairs for gear in pair), default=self.module_mm)
+        if diameter < LEAST_CUTTER * module:
+            raise ValueError(
+                Message(
+                    "train.cutter_diameter_mm is {diameter:g}, and teeth of the module {module:g} would take more than "
+                    "half of such a tool: give at least {least:g}, or leave it out for the usual {usual:g}",
+                    diameter=diameter,
+                    module=module,
+                    least=LEAST_CUTTER * module,
+                    usual=usual_hob(module),
+                )
+            )
         return self
 
     @model_validator(mode="after")

@@ -28,8 +28,9 @@
 | `stage_kinds`     | the table of kinds of stages: a new one is a file beside `spur` and a line there      |
 | `train`           | stages in a row, their play and return error (eq. 25-26); joints and bearings         |
 | `chains`          | branch and bound: the cheapest chains of pairs that give a ratio                      |
+| `tools`           | tools that cut teeth: what they cannot reach, and the room that they need             |
 | `wheel_body`      | rim and blank -> a wheel's body, as a stack of prisms                                 |
 | `layout`          | a train's parts at their places, clear of each other and in phase                     |
-| `cutting`         | room that a tool needs beyond teeth beside a larger gear on one part                  |
+| `cutting`         | how each part of a train is made: its checks and notes                                |
 | `synthesis`       | all orders of the stages; all tooth numbers that give the ratio                       |
 """

@@ -1,39 +1,17 @@
-"""Room that a tool needs beyond teeth which stand beside a larger gear on one part.
-
-A gear is blocked where its neighbour stands higher than its roots, by h = r_beside − r_root. A hob or a disc cutter of
-the diameter D cuts to full depth at the end of the teeth only if its axis comes as far, and then reaches beyond by
-
-    √(h (D − h)), h ≤ D / 2, of a spur gear.
-
-Turned by the helix angle β it reaches √(h (D − h)) cos β + l sin β. A hob generates with the half length
-l = h_fP / tan α_n. This is the least: a longer hob and its own lead need more. Usual diameters are those of DIN 8002.
-
-A shaper's cutter needs a groove for its overtravel and the chips, usually 3 mm and 1 mm for each mm of the module: a
-value of the trade, since no standard was at hand. A wire, a laser or a jet cuts through the whole width, and can cut no
-teeth beside a larger gear. What is printed or moulded needs no room.
-"""
+"""How the teeth of a train's parts are made: what tools cannot reach, the room that they need, and notes on both."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from math import ceil, cos, inf, sin, sqrt, tan
 
 from cadgen.check import Bound, Check, CheckCode
 from cadgen.gears.choices import ToothCutting
 from cadgen.gears.layout import TrainPart
-from cadgen.gears.stage import Wheel
+from cadgen.gears.stage import is_ring
+from cadgen.gears.tools import SMALL_HOB, Tool, beside_larger, proposed_length, usual_hob
 from cadgen.gears.tooth import GearForm
 from cadgen.messages import Message
-
-# Greatest module and diameter of a hob, mm (DIN 8002, read from a damaged print; the last by judgement).
-_HOBS = (
-    (1.4, 50.0), (1.8, 56.0), (2.24, 63.0), (2.8, 70.0), (3.55, 80.0), (4.5, 90.0), (5.6, 100.0), (7.1, 110.0),
-    (9.0, 125.0), (inf, 140.0),
-)  # fmt: skip
-_SMALLEST = 20.0  # mm, of hobs for fine modules
-_GROOVE = 3.0  # mm; a shaper's cutter needs this and a module
-_STEPS = 10  # in a mm, of lengths that are proposed
 
 CUT = {
     ToothCutting.HOBBED: Message("hobbed"),
@@ -49,18 +27,27 @@ class Made:
     """How the teeth of a part are made.
 
     Attributes:
-        place: place of its shaft in the section [train] of a design.
+        place: place of its shaft in the section [train] of a design; empty for a part beside the shafts.
+        key: key of the design that states how its teeth are cut.
         cutting: how its teeth are cut; None where it is not stated.
         apart: whether its gears are cut as two parts and joined.
         cutter: diameter of the hob or the disc cutter, mm; None for the usual one.
         joined: what joins gears that are cut apart, in words.
+        instead: what the teeth of the train are cut by, where it does not reach those of this part; None elsewhere.
     """
 
     place: str
+    key: str = "train.cutting"
     cutting: ToothCutting | None = None
     apart: bool = False
     cutter: float | None = None
     joined: str = ""
+    instead: ToothCutting | None = None
+
+    @property
+    def tool(self) -> Tool | None:
+        """Tool of its teeth; None where it is not stated."""
+        return None if self.cutting is None else Tool(self.cutting, self.cutter)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,35 +66,6 @@ class Blocked:
     beside: float
     room: float
 
-    def needs(self, cutting: ToothCutting, cutter: float | None = None) -> float:
-        """Least room that its teeth need to be cut, mm; infinite by a wire, 0 if they are printed.
-
-        Args:
-            cutting: how they are cut.
-            cutter: diameter of the hob or the disc cutter, mm; None for the usual one.
-        """
-        match cutting:
-            case ToothCutting.PRINTED:
-                return 0.0
-            case ToothCutting.WIRE:
-                return inf
-            case ToothCutting.SHAPED:
-                return _GROOVE + self.gear.normal_module
-        diameter = usual_hob(self.gear.normal_module) if cutter is None else cutter
-        height = min((self.beside - self.gear.root_diameter) / 2, diameter / 2)
-        turned = abs(self.gear.helix_angle)
-        reach = self.gear.dedendum_factor * self.gear.normal_module / tan(self.gear.normal_pressure_angle)
-        return sqrt(height * (diameter - height)) * cos(turned) + reach * sin(turned)
-
-
-def usual_hob(module: float) -> float:
-    """Diameter of a hob of DIN 8002, mm; of modules below 1 smaller ones are sold, too.
-
-    Args:
-        module: normal module, mm.
-    """
-    return next(diameter for most, diameter in _HOBS if module <= most)
-
 
 def blocked(part: TrainPart) -> Iterator[Blocked]:
     """Gears of a part that stand beside a larger one; none of a part with one gear.
@@ -117,54 +75,90 @@ def blocked(part: TrainPart) -> Iterator[Blocked]:
     """
     if len(part.gears) < 2:
         return
-    room = part.starts[1] - part.gears[0].width
-    pairs: Sequence[tuple[Wheel, Wheel]] = (part.gears[:2], part.gears[1::-1])  # type: ignore[assignment]
-    for number, (gear, other) in enumerate(pairs):
-        if isinstance(gear, GearForm) and other.tip_diameter > gear.root_diameter:
-            yield Blocked(number, gear, other.tip_diameter, room)
+    lower, upper = part.gears
+    room = round(part.starts[1] - lower.width, 9)
+    for gear, other in beside_larger(lower, upper):
+        yield Blocked(int(gear is upper), gear, other.tip_diameter, room)
 
 
 def cutting_checks(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Check, ...]:
-    """Room beyond the teeth of all parts that state how they are cut: the gear that lacks most, and those out of reach.
+    """Teeth out of reach of their tools, and the room beyond the teeth that lacks most, where tools are stated.
 
     Args:
-        parts: parts on the shafts, from the drive on.
+        parts: parts of the train.
         makings: how each is made.
     """
     checks: list[Check] = []
     reached: list[Check] = []
+
+    def beyond(teeth: Message, gear: GearForm, part: TrainPart, advice: Message) -> Check:
+        where = Message("{gear} on shaft {shaft}", gear=gear.noun, shaft=part.shaft)
+        if part.beside:
+            where = Message("{gear} of stage {number}", gear=gear.noun, number=part.stages[0])
+        return Check(CheckCode.TEETH_REACHED, teeth, 1.0, "", 0.0, Bound.MAX, where, advice)
+
     for part, made in zip(parts, makings, strict=True):
-        if made.cutting is None or made.apart:
+        tool = made.tool
+        if tool is None:
             continue
-        for each in blocked(part):
-            where = Message("{gear} on shaft {shaft}", gear=each.gear.noun, shaft=part.shaft)
-            if made.cutting == ToothCutting.WIRE:
-                name, advice = Message("teeth that a wire cannot reach"), _apart(made)
-                reached.append(Check(CheckCode.TEETH_REACHED, name, 1.0, "", 0.0, Bound.MAX, where, advice))
-            elif made.cutting != ToothCutting.PRINTED:
-                needed = each.needs(made.cutting, made.cutter)
-                name = Message("room beyond the teeth, {how}", how=CUT[made.cutting])
+        for gear in part.gears:
+            if isinstance(gear, GearForm) and (sort := tool.cannot_reach(gear)):
+                name = Message("{teeth}, {how}", teeth=sort, how=CUT[tool.cutting])
+                reached.append(beyond(name, gear, part, _other_ways(gear, made)))
+        for each in () if made.apart else blocked(part):
+            if tool.cutting == ToothCutting.WIRE:
+                reached.append(beyond(Message("teeth that a wire cannot reach"), each.gear, part, _apart(made)))
+            elif tool.cutting != ToothCutting.PRINTED:
+                needed = tool.run_out(each.gear, each.beside)
+                where = Message("{gear} on shaft {shaft}", gear=each.gear.noun, shaft=part.shaft)
+                name = Message("room beyond the teeth, {how}", how=CUT[tool.cutting])
                 advice = Message("give {collar}, or {apart}", collar=_collar(part, made, needed), apart=_apart(made))
-                if each.needs(made.cutting, _SMALLEST) <= each.room < needed:
+                if Tool(tool.cutting, SMALL_HOB).run_out(each.gear, each.beside) <= each.room < needed:
                     advice = Message("{cures}, or the train.cutter_diameter_mm of a smaller tool", cures=advice)
                 checks.append(Check(CheckCode.TOOL_ROOM, name, each.room, "mm", needed, Bound.MIN, where, advice))
     least = min(checks, key=lambda check: check.room, default=None)
     return (*reached[:1], *([] if least is None else [least]))
 
 
-def room_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Message, ...]:
-    """Sentence on the gear that lacks most for any usual tool, of those of which it is not stated how they are cut.
+def _other_ways(gear: GearForm, made: Made) -> Message:
+    """Ways in which teeth can be cut that a tool does not reach, as the key that states them.
 
     Args:
-        parts: parts on the shafts, from the drive on.
+        gear: gear with such teeth.
+        made: how it is made.
+    """
+    shaped = is_ring(gear) or gear.double
+    usual = ToothCutting.SHAPED if shaped else ToothCutting.HOBBED
+    return Message('give {key} = "{usual}" or "{other}"', key=made.key, usual=usual, other=ToothCutting.PRINTED)
+
+
+def cutting_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Message, ...]:
+    """Sentences on inside teeth that are cut by another tool than the train's, and on the gear that lacks most room.
+
+    The room is that of any usual tool, of gears of which it is not stated how they are cut.
+
+    Args:
+        parts: parts of the train.
         makings: how each is made.
     """
+    said: list[Message] = []
     lacking: list[tuple[float, Message]] = []
     for part, made in zip(parts, makings, strict=True):
+        if made.instead is not None and made.cutting is not None:
+            said.append(
+                Message(
+                    "the teeth of {gear} are taken as {how}, since inside teeth cannot be {instead}: {key} states "
+                    "another way",
+                    gear=part.gears[0].noun,
+                    how=CUT[made.cutting],
+                    instead=CUT[made.instead],
+                    key=made.key,
+                )
+            )
         if made.cutting is not None or made.apart:
             continue
         for each in blocked(part):
-            shaped, hobbed = each.needs(ToothCutting.SHAPED), each.needs(ToothCutting.HOBBED, made.cutter)
+            shaped, hobbed = (tool.run_out(each.gear, each.beside) for tool in _usual_tools(made))
             least = min(shaped, hobbed)
             if each.room < least:
                 text = Message(
@@ -182,7 +176,12 @@ def room_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Mes
                     apart=_apart(made),
                 )
                 lacking.append((least - each.room, text))
-    return tuple(text for _, text in sorted(lacking, key=lambda each: each[0])[-1:])
+    return (*said, *(text for _, text in sorted(lacking, key=lambda each: each[0])[-1:]))
+
+
+def _usual_tools(made: Made) -> tuple[Tool, Tool]:
+    """Shaper's cutter, and the hob of a part of which it is not stated how it is made."""
+    return Tool(ToothCutting.SHAPED), Tool(ToothCutting.HOBBED, made.cutter)
 
 
 def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
@@ -201,16 +200,17 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
     for each in () if how == ToothCutting.PRINTED else blocked(part):
         gear = Message("upper gear") if each.number else Message("lower gear")
         room, beside = f"{each.room:.4g}", f"{each.beside:.4g}"
-        if how is None:
+        if made.tool is None:
+            shaped, hobbed = (tool.run_out(each.gear, each.beside) for tool in _usual_tools(made))
             yield Message(
                 "Room beyond the teeth of the {gear}: {room} mm, before Ø{beside}. A shaper's cutter needs "
                 "{shaped:.3g} mm, a hob of Ø{hob:g} {hobbed:.3g} mm.",
                 gear=gear,
                 room=room,
                 beside=beside,
-                shaped=each.needs(ToothCutting.SHAPED),
+                shaped=shaped,
                 hob=made.cutter or usual_hob(each.gear.normal_module),
-                hobbed=each.needs(ToothCutting.HOBBED, made.cutter),
+                hobbed=hobbed,
             )
         elif how != ToothCutting.WIRE:
             yield Message(
@@ -218,7 +218,7 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
                 gear=gear,
                 room=room,
                 beside=beside,
-                needed=each.needs(how, made.cutter),
+                needed=made.tool.run_out(each.gear, each.beside),
             )
 
 
@@ -230,7 +230,7 @@ def _collar(part: TrainPart, made: Made, needed: float) -> Message:
         "train.{place}.hub.diameter_mm = {diameter:g} with length_mm = {length:g}",
         place=made.place,
         diameter=diameter,
-        length=ceil(needed * _STEPS - 1e-9) / _STEPS,
+        length=proposed_length(needed),
     )
 
 

@@ -1,9 +1,10 @@
 """Where the parts of a train go: parts on shafts, shafts that keep clear of each other, teeth in phase.
 
 All axes are parallel to z. The wheel of a stage and the pinion of the next one are one part on one shaft. A collar
-between them keeps the wheels of neighbouring stages from rubbing. Planets, and the member of a planetary set that is
-held, are parts beside the shafts. The stages are stacked along z, and every pair meshes in a plane of its own. The
-drive's pinion lies with its hub below the stack, the output's wheel with its hub above.
+between them keeps the wheels of neighbouring stages from rubbing, and leaves a stated tool its room. Planets, and the
+member of a planetary set that is held, are parts beside the shafts. The stages are stacked along z, and every pair
+meshes in a plane of its own. The drive's pinion lies with its hub below the stack, the output's wheel with its hub
+above.
 
 Seen along z a stage's line of centres has a direction. Given ones are kept; for the others the train is folded
 as tightly as it goes without one body coming closer than the clearance to another on a neighbouring or any
@@ -26,6 +27,7 @@ from numpy.typing import NDArray
 from cadgen.arrays import gauss_nodes
 from cadgen.errors import DesignError
 from cadgen.gears.stage import Standing, Wheel, holes_of, is_bar, is_ring, rim_diameter
+from cadgen.gears.tools import CutBlank
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train
 from cadgen.gears.wheel_body import cluster_body, gear_body, with_collar
@@ -410,7 +412,10 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
         # What the gears in mesh with both stand out towards each other comes on top of the collar.
         above, below = before.stands_out[1], after.stands_out[0]
         length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
-        blank = _made(shaft, Message("intermediate"), with_collar, blanks[shaft - 1], lower, upper, length, clearance)
+        given = blanks[shaft - 1]
+        if isinstance(given, CutBlank):
+            length = max(length, given.tool.between(lower, upper))
+        blank = _made(shaft, Message("intermediate"), with_collar, given, lower, upper, length, clearance)
         body = _made(shaft, Message("intermediate"), cluster_body, lower, upper, blank)
         start = plane + before.rise - lower.width / 2
         parts.append(part(f"{shaft}_cluster", shaft, (lower, upper), blank, body, start))

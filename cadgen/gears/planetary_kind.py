@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 from annotated_types import Ge, Gt, Le
 
 from cadgen.errors import DesignError
-from cadgen.gears.choices import HeldMember, HelixHand, Spacing
+from cadgen.gears.choices import HeldMember, HelixHand, Spacing, ToothCutting
 from cadgen.gears.fits import runs, zones_of
 from cadgen.gears.stage_kind import StageKind, ToothedTrain
 from cadgen.messages import Message
@@ -67,6 +67,10 @@ class PlanetaryRingKeys:
     rim_mm: Annotated[float | None, Gt(0), Le(500), "outside its root; left out, 2.5 modules"] = None
     cutter_teeth: Annotated[
         int | None, Ge(0), Le(500), "z_0 of its pinion cutter; 0 for roots that are arcs; left out, 25 or what suits it"
+    ] = None
+    cutting: Annotated[
+        ToothCutting | None,
+        "how its teeth are cut; left out, as those of the train, or `shaped` where a hob or a disc cutter cuts these",
     ] = None
 
 

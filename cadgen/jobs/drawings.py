@@ -357,7 +357,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     for part in layout.parts:
         if part.figures is not None:
             first[part.stages[0], part.figures] = first.get((part.stages[0], part.figures), 0) + 1
-    for part, gears in zip(layout.parts, every, strict=True):
+    for part, gears, teeth in zip(layout.parts, every, plan.makings, strict=True):
         count = 1 if part.figures is None else first.pop((part.stages[0], part.figures), 0)
         if not count:  # a planet like the one before
             continue
@@ -393,7 +393,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(place, *sheet_notes(part, made.made), *loose, *([plan.printing.note] if plan.printing else [])),
+            notes=(place, *sheet_notes(part, teeth), *loose, *([plan.printing.note] if plan.printing else [])),
             flank_texture=(plan.title and plan.title.flank_finish) or "",
             bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),

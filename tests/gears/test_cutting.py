@@ -1,23 +1,28 @@
 """Room beyond teeth beside a larger gear, against tools as clouds of points and against printed diameters of hobs."""
 
 from math import cos, inf, pi, radians, sin, tan
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cadgen.check import CheckCode
-from cadgen.design.load import load_design
+from cadgen.design.load import load_design, train_of
 from cadgen.errors import DesignError
 from cadgen.gears.choices import ToothCutting
-from cadgen.gears.cutting import Blocked, Made, blocked, cutting_checks, room_notes, sheet_notes, usual_hob
+from cadgen.gears.cutting import Made, blocked, cutting_checks, cutting_notes, sheet_notes
 from cadgen.gears.layout import Blanks, TrainPart, lay_out
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.spur import SpurPair
+from cadgen.gears.tools import Tool, usual_hob
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
-from cadgen.jobs.gears.gear_train import plan_gears
+from cadgen.jobs.drawings import Folder, sheets_of
+from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.parts.blank import Blank
 from cadgen.parts.features import Hub
+
+PLACES = ("drive", "intermediate", "output")
 
 
 @pytest.mark.parametrize(("turned", "beside"), [(0.0, 24.0), (0.0, 76.0), (20.0, 30.0), (-35.0, 120.0)])
@@ -30,9 +35,9 @@ def test_a_cutter_reaches_as_far_as_a_cloud_of_its_points(turned: float, beside:
     heights = root + radius - radius * np.cos(around)
     axial = radius * np.sin(around) * cos(radians(turned)) + along * sin(radians(turned))
     reached = axial[heights <= beside / 2].max()
-    needed = Blocked(0, gear, beside, 1.0).needs(ToothCutting.HOBBED, 63.0)
+    needed = Tool(ToothCutting.HOBBED, 63.0).run_out(gear, beside)
     assert needed == pytest.approx(reached, abs=1e-3)
-    assert Blocked(0, gear, beside, 1.0).needs(ToothCutting.MILLED, 63.0) == needed
+    assert Tool(ToothCutting.MILLED, 63.0).run_out(gear, beside) == needed
 
 
 def test_hobs_have_the_diameters_of_the_standard() -> None:
@@ -42,12 +47,9 @@ def test_hobs_have_the_diameters_of_the_standard() -> None:
 
 
 def test_other_tools_need_a_groove_all_or_nothing() -> None:
-    stands = Blocked(0, GearForm(teeth=20, normal_module=2.0, width=5.0), 80.0, 1.0)
-    assert [stands.needs(each) for each in (ToothCutting.SHAPED, ToothCutting.WIRE, ToothCutting.PRINTED)] == [
-        5.0,
-        inf,
-        0.0,
-    ]
+    gear = GearForm(teeth=20, normal_module=2.0, width=5.0)
+    tools = (ToothCutting.SHAPED, ToothCutting.WIRE, ToothCutting.PRINTED)
+    assert [Tool(each).run_out(gear, 80.0) for each in tools] == [5.0, inf, 0.0]
 
 
 def _cluster(lower: int, upper: int, collar: float) -> tuple[TrainPart, ...]:
@@ -74,9 +76,13 @@ def test_a_gear_is_blocked_where_the_other_stands_over_its_roots(lower: int, upp
 def test_a_shaft_with_one_gear_or_with_gears_cut_apart_needs_no_room() -> None:
     parts = _cluster(60, 20, 1.0)
     assert not list(blocked(parts[0]))
-    apart = [Made("drive"), Made("intermediate", ToothCutting.HOBBED, apart=True, joined="glued"), Made("output")]
+    apart = [
+        Made("drive"),
+        Made("intermediate", cutting=ToothCutting.HOBBED, apart=True, joined="glued"),
+        Made("output"),
+    ]
     assert cutting_checks(parts, apart) == ()
-    assert room_notes(parts, [Made(each.place, None, each.apart) for each in apart]) == ()
+    assert cutting_notes(parts, [Made(each.place, apart=each.apart) for each in apart]) == ()
     assert list(sheet_notes(parts[1], apart[1])) == ["Teeth: hobbed.", "Lower and upper gear: cut apart, then glued."]
 
 
@@ -94,8 +100,8 @@ def test_room_is_judged_where_the_tool_is_stated_and_else_told(
 ) -> None:
     """A shaper's cutter of module 1 needs 4 mm. The hob of Ø50 stands higher than half before Ø62 over Ø17.5."""
     parts = _cluster(60, 20, collar)
-    makings = [Made("drive", cutting), Made("intermediate", cutting), Made("output", cutting)]
-    checks, notes = cutting_checks(parts, makings), room_notes(parts, makings)
+    makings = [Made(place, cutting=cutting) for place in PLACES]
+    checks, notes = cutting_checks(parts, makings), cutting_notes(parts, makings)
     assert [check.passed for check in checks] == ([] if passes is None else [passes])
     assert len(notes) == (passes is None)
     if notes:
@@ -107,12 +113,10 @@ def test_a_smaller_hob_is_named_where_one_is_small_enough() -> None:
     """Ø62 stands 22.3 mm over the roots of 20 teeth: hobs of Ø50 and of Ø20 need half of their diameter."""
     for collar, named in ((9.9, False), (10.1, True)):
         parts = _cluster(60, 20, collar)
-        (check,) = cutting_checks(
-            parts, [Made(place, ToothCutting.HOBBED) for place in ("drive", "intermediate", "output")]
-        )
+        (check,) = cutting_checks(parts, [Made(place, cutting=ToothCutting.HOBBED) for place in PLACES])
         assert not check.passed
         assert ("of a smaller tool" in check.advice) == named
-    smaller = [Made(place, ToothCutting.HOBBED, cutter=20.0) for place in ("drive", "intermediate", "output")]
+    smaller = [Made(place, cutting=ToothCutting.HOBBED, cutter=20.0) for place in PLACES]
     assert cutting_checks(_cluster(60, 20, 10.1), smaller)[0].passed
 
 
@@ -134,3 +138,109 @@ def test_the_cures_of_a_stated_tool_hold_and_a_wire_reaches_what_is_cut_apart() 
 def test_gears_that_are_cut_apart_are_two_and_have_a_joint(keys: list[str]) -> None:
     with pytest.raises(DesignError, match="cut_apart"):
         load_design("workshop_car", [*keys, "train.intermediate.joint="])
+
+
+HEAD = "[train]\nmodule_mm = 1.0\nwidth_mm = 8.0\nbearing_span_mm = 90.0\n"
+PAIR = "[[train.stages]]\ndriver = { teeth = 18 }\ndriven = { teeth = 54 }\n"
+RING = "[[train.stages]]\ndriver = { teeth = 18 }\ndriven = { teeth = 54, internal = true }\n"
+SET = '[[train.stages]]\nkind = "planetary"\nsun = { teeth = 18 }\nplanet = { teeth = 27 }\n'
+TWO = PAIR + "[[train.stages]]\ndriver = { teeth = 20 }\ndriven = { teeth = 60 }\n"
+
+
+def planned(train: str, keys: str = "", end: str = "") -> GearTrain:
+    return plan_gears(train_of(f"{HEAD}{keys}\n{train}{end}", Path("train.toml")))
+
+
+def out_of_reach(plan: GearTrain) -> list[str]:
+    return [f"{each.name}: {each.advice}" for each in plan.failed if each.code == CheckCode.TEETH_REACHED]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("train", "keys", "said"),
+    [
+        (PAIR, 'cutting = "wire"', ""),
+        (PAIR, 'cutting = "wire"\nhelix_angle_deg = 15.0', "helical teeth, cut by wire"),
+        (PAIR, 'cutting = "hobbed"\nhelix_angle_deg = 15.0', ""),
+        (PAIR.replace("driver", "double = true\ndriver"), 'cutting = "milled"\nhelix_angle_deg = 15.0', "double helix"),
+        (PAIR.replace("driver", "double = true\ndriver"), 'cutting = "shaped"\nhelix_angle_deg = 15.0', ""),
+        (RING, 'cutting = "hobbed"', ""),
+        (RING, 'cutting = "wire"', ""),
+        (RING, 'cutting = "hobbed"\noutput = { cutting = "hobbed" }', "inside teeth, hobbed: give train.output"),
+        (SET, 'cutting = "milled"', ""),
+        (
+            f'{SET}ring = {{ cutting = "milled" }}\n',
+            "",
+            "inside teeth, milled with a disc cutter: give train.stages.1.ring.cutting",
+        ),
+        (f'{SET}ring = {{ cutting = "wire" }}\n', 'cutting = "hobbed"', ""),
+    ],
+)  # fmt: skip
+def test_teeth_that_a_tool_does_not_reach_fail_with_another_way(train: str, keys: str, said: str) -> None:
+    found = out_of_reach(planned(train, keys))
+    assert bool(found) == bool(said)
+    assert not said or said in found[0]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("train", "place"), [(RING, "train.output.cutting"), (SET, "train.stages.1.ring.cutting")])
+def test_a_ring_of_a_hobbed_train_is_taken_as_shaped_and_that_is_told(train: str, place: str) -> None:
+    plan = planned(train, 'cutting = "hobbed"')
+    ways = {part.gears[0].noun: made.cutting for part, made in zip(plan.layout.parts, plan.makings, strict=True)}
+    assert [way for noun, way in ways.items() if "ring" in noun] == [ToothCutting.SHAPED]
+    assert {way for noun, way in ways.items() if "ring" not in noun} == {ToothCutting.HOBBED}
+    (note,) = (each for each in plan.notes if "taken as shaped" in each)
+    assert place in note
+    sheets = [sheet for _, sheet in sheets_of(plan, Folder({}, "2026-01-01"))]
+    assert sum("Teeth: shaped." in sheet.notes for sheet in sheets) == 1
+
+
+@pytest.mark.parametrize(
+    ("keys", "words"),
+    [
+        ('cutting = "hobbed"\ncutter_diameter_mm = 0.01', ["module 1", "give at least 9", "usual 50"]),
+        ('cutting = "milled"\ncutter_diameter_mm = 8.99', ["is 8.99"]),
+        ('cutting = "hobbed"\ncutter_diameter_mm = 9.0', []),
+        ("cutter_diameter_mm = 20.0", []),
+        ('cutting = "wire"\ncutter_diameter_mm = 50.0', ["no teeth are hobbed or milled: remove it"]),
+        ('cutting = "shaped"\ncutter_diameter_mm = 50.0', ["remove it"]),
+        ('cutting = "wire"\ncutter_diameter_mm = 50.0\ndrive = { cutting = "hobbed" }', []),
+    ],
+)
+def test_a_cutter_is_of_teeth_that_it_cuts_and_larger_than_its_teeth(keys: str, words: list[str]) -> None:
+    """Teeth of a tool are 2.25 modules high, and take half of the radius of one of 9 modules."""
+    design = f"{HEAD}{keys}\n{PAIR}"
+    if not words:
+        train_of(design, Path("train.toml"))
+        return
+    with pytest.raises(DesignError, match=r"train\.cutter_diameter_mm") as refused:
+        train_of(design, Path("train.toml"))
+    assert all(word in str(refused.value) for word in words)
+
+
+@pytest.mark.parametrize(
+    ("keys", "collar"),
+    [
+        ("", 1.0),
+        ('cutting = "printed"', 1.0),
+        ('cutting = "shaped"', 4.0),
+        ('cutting = "hobbed"\ncutter_diameter_mm = 20.0', 10.0),
+        ('cutting = "hobbed"\ncutter_diameter_mm = 50.0', 24.4),
+        ('cutting = "hobbed"\nintermediate = { cutting = "shaped" }', 4.0),
+        ('cutting = "hobbed"\nintermediate = { cut_apart = true, joint = "glued" }', 1.0),
+    ],
+)
+def test_a_collar_that_is_not_stated_leaves_a_stated_tool_its_room(keys: str, collar: float) -> None:
+    """Ø56 stands 19.3 mm over roots of Ø17.5 less the thinning: √(19.3 · 30.7) = 24.34 mm of a hob of Ø50."""
+    plan = planned(TWO, keys)
+    part = plan.layout.parts[1]
+    assert part.starts[1] - part.gears[0].width == pytest.approx(collar, abs=1e-9)
+    assert [each.passed for each in plan.checks if each.code == CheckCode.TOOL_ROOM] in ([], [True])
+
+
+def test_sheets_and_checks_hear_of_a_printer_alike() -> None:
+    plan = planned(TWO, end="[export.print]\nhole_um = 50.0\n")
+    assert {made.cutting for made in plan.makings} == {ToothCutting.PRINTED}
+    for stem, sheet in sheets_of(plan, Folder({}, "2026-01-01")):
+        assert "plate" in stem or "Teeth: printed or moulded." in sheet.notes
+        assert not any("hob" in note for note in sheet.notes)

@@ -25,6 +25,7 @@ from cadgen.jobs.assembly_files import listed, loose_parts, mounting_notes, moun
 from cadgen.jobs.cam.steering_cam import plan_cam
 from cadgen.jobs.car_assembly import CarAssembly, put_together
 from cadgen.jobs.car_frame import frame_in
+from cadgen.jobs.car_layout import layout_of, train_in_car
 from cadgen.jobs.drawings import Folder, sheet_of, sheets_of, title_of
 from cadgen.jobs.gears.gear_train import plan_gears
 from cadgen.jobs.gears.train_making import TrainMaking
@@ -656,7 +657,7 @@ def test_a_packaged_design_states_what_its_sheets_need(name: str) -> None:
     if isinstance(design, Design):
         train = gear_model.train_keys(design)
         assert TrainMaking.of(train).open_keys(len(train.stages) + 1) == {}
-        made = gear_model.makings(design, len(train.stages) + 1)
+        made = gear_model.makings(design, train_in_car(layout_of(design)).parts)
         assert all(each.cutting and (each.apart or each.place in ("drive", "output")) for each in made)
         assert design.tolerances.profile_offset_mm
     else:

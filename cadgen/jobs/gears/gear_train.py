@@ -13,7 +13,7 @@ from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
 from cadgen.gears.choices import Order, SearchObjective, Thinning
-from cadgen.gears.cutting import cutting_checks, room_notes
+from cadgen.gears.cutting import Made, cutting_checks, cutting_notes
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
 from cadgen.gears.spur import SpurPair, spur_pairs
@@ -71,6 +71,7 @@ class GearTrain(Assembly):
         origin: design that the train was planned from.
         title: texts of the design's title blocks; None where it has none.
         making: what the drawings say of its parts and of the plates besides their shapes.
+        makings: how the teeth of each part are made.
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         compensation: what files for printing take back; None where the design does not say.
         friction: friction coefficient of the flanks and its source; None where the design has none.
@@ -95,6 +96,7 @@ class GearTrain(Assembly):
     origin: Origin
     title: DrawingText | None
     making: TrainMaking
+    makings: tuple[Made, ...]
     mesh_chord: float | None
     compensation: PrintCompensation | None
     friction: tuple[float, str] | None
@@ -293,13 +295,14 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     friction = None if keys.friction_coefficient is None else (keys.friction_coefficient, keys.friction_source or "")
     whole = WholePlay(teeth=made.play, loose=gear_model.loose(design, made.play.train))
     car = laid_out(design, made.play.train)
-    sense = None
+    sense, makings = None, gear_model.makings(design, made.layout.parts)
     if car is None:
         sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
         origin=Origin.of(design),
         title=design.drawing,
         making=TrainMaking.of(gear_model.train_keys(design)),
+        makings=makings,
         mesh_chord=None if chord is None else chord * 1e-3,
         compensation=design.export.printing,
         friction=friction,
@@ -317,7 +320,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         notes=(
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
-            *room_notes(made.layout.on_shafts, gear_model.makings(design, len(made.layout.on_shafts))),
+            *cutting_notes(made.layout.parts, makings),
             *([] if friction is None else [losses_note(made.layout.train, *friction)]),
             *([whole.sentence()] if whole.loose else []),
             *(_notes(design, designed, limits) if limits else ()),
@@ -445,8 +448,8 @@ def _make(design: TrainDesign, play: TrainPlay) -> MadeTrain:
         gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
-    shafts = made.layout.on_shafts
-    made = replace(made, checks=(*made.checks, *cutting_checks(shafts, gear_model.makings(design, len(shafts)))))
+    parts = made.layout.parts
+    made = replace(made, checks=(*made.checks, *cutting_checks(parts, gear_model.makings(design, parts))))
     if layout is None:
         return made
     from cadgen.jobs.car_frame import checks_in_car  # it loads shapely, which most trains do without

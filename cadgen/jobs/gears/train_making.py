@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from cadgen.design.gear_model import made_by
 from cadgen.design.train import GearBlankSection, PlateSection, SpurStage, TrainSection
-from cadgen.gears.cutting import Made
 from cadgen.gears.fits import runs
 from cadgen.gears.planetary_kind import PlanetaryKeys
 from cadgen.messages import Message
@@ -23,7 +21,6 @@ class ShaftMaking:
         word: word for it.
         material: material of the part; None where the design does not say.
         fit: fits and joint of its bore.
-        made: how its teeth are made.
         bored: whether it has a bore, and thus a fit to be stated.
         screwed: whether a set screw holds it, and thus a thread is to be stated.
     """
@@ -32,7 +29,6 @@ class ShaftMaking:
     word: str
     material: str | None
     fit: ShaftFit
-    made: Made
     bored: bool
     screwed: bool
 
@@ -95,8 +91,7 @@ class TrainMaking:
             material = given.material or keys.material
             screwed = bool(given.hub and given.hub.set_screw_mm)
             bored = given.bore_diameter_mm > 0
-            made = made_by(keys, place, given)
-            return ShaftMaking(place, word or Message(place), material, fit, made, bored=bored, screwed=screwed)
+            return ShaftMaking(place, word or Message(place), material, fit, bored=bored, screwed=screwed)
 
         plate = keys.plate or PlateSection()
         return cls(
