@@ -86,7 +86,7 @@ class Calibration(CalibrationPlan, Pictured, Generic[D]):
             progress: function that is called with a few words on each step.
 
         Raises:
-            FileError: the data contradict each other.
+            FileError: the data are judged apart.
         """
         return Advice.after(self, self.design.complete(), progress)
 

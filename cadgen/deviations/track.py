@@ -185,11 +185,18 @@ def _form(name: str, act: Callable[[Array, Array, Array], Array], unit: str, lim
     )
 
 
+def _on_one_flank(tan: Array, p: Array, at: Array) -> Array:
+    """Steering's tangent that is off by a constant while it grows."""
+    return np.asarray(tan + p[0] * (np.gradient(tan.ravel()) > 0).reshape(tan.shape))
+
+
 _ENDS = {"deg": "deg", "%": "percent"}
-# What a linkage that gives, a wheel that slides and a zero that wanders make of the steering's tangent.
+# What a linkage that gives, a wheel that slides, a zero that wanders and an edge worn on one side make of the steering's
+# tangent.
 _OF_STEERING = (
     _form("steering that drifts", lambda tan, p, at: np.asarray(tan + p[0] * at / TURN), "deg", 5.0),
     _form("steering that bends", lambda tan, p, at: np.asarray(tan + p[0] * np.abs(tan)), "%", 30.0),
+    _form("steering off on one flank", _on_one_flank, "deg", 5.0),
     _form("steering that fades", lambda tan, p, at: np.asarray(tan * (1 - p[0] * tan**2)), "%", 300.0),
 )
 # Forms with one number that run through the whole turn; the last is of a wheel that shrinks.

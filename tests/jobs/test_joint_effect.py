@@ -178,7 +178,7 @@ def test_a_track_that_others_contradict_is_explained_by_a_subset_of_its_own(told
     """A train's play stood against play and friction of the track, which contradicts it: 521 mm of 715 stayed."""
     sure = [c for c in told.claims if c.sure]
     first, *others = told.diagnoses
-    alone = replace(first, contradicted=True)
+    alone = replace(first, apart=True)
     taken, _ = with_joint_effect(
         [alone, *others], sure, lambda some: outlook(100.0 if all(c.sure for c in some) else 1.0)
     )

@@ -62,7 +62,7 @@ class Outlook:
         least, most: between which the new one lies with a chance of 90 %, mm.
         worse: chance that the new one is farther off than the old one.
         explained: whether the effects found explain the measured runs; None where no track was measured.
-        contradicted: whether another record contradicts the track, which was judged alone then.
+        contradicted: whether the records contradict each other, and were judged apart.
     """
 
     old: float
@@ -118,8 +118,8 @@ def outlook(
         unmeasured: play and friction, of a car without a track.
     """
     track = next((d for d in diagnoses if d.kind is KIND), None)
-    # All records have one judgement, but where they contradict each other: then the track knows best how the car runs.
-    likeliest = (track or diagnoses[0]).likely
+    # All records have one judgement, but where they are judged apart: then the track knows best how the car runs.
+    likeliest = (track or min(diagnoses, key=lambda d: d.apart)).likely
     rng = np.random.default_rng(0)
     counts = rng.multinomial(DRAWS, [likely.weight for likely in likeliest])
     models = run_of(nominal), run_of(new.nominal)
@@ -153,7 +153,7 @@ def outlook(
         after = after + (rng.random(DRAWS) < NOT_SURE[0]) * NOT_SURE[1] * np.abs(after - before) * either
     old, on_new = np.abs(before), np.abs(after + new_form(models[1], DRAWS, rng, spectra))
     least, most = np.percentile(on_new, RANGE)
-    explained = False if diagnoses[0].contradicted else None
+    explained = False if any(d.apart for d in diagnoses) else None
     if track is not None:
         # The effects, with what repeats beside them, leave no more than noise on the runs left out.
         r = track.residual
@@ -167,7 +167,7 @@ def outlook(
         most=float(most),
         worse=float(np.mean(on_new > old + SAME)),
         explained=explained,
-        contradicted=diagnoses[0].contradicted,
+        contradicted=all(d.apart for d in diagnoses),
     )
 
 

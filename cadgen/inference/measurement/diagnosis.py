@@ -46,7 +46,7 @@ from cadgen.inference.measurement.reservations import (
 from cadgen.inference.measurement.runs_left_out import diagnose_logged
 from cadgen.inference.measurement.search import Start, best_of, find, not_holding
 from cadgen.inference.measurement.verdict import Judgement, Verdict, judge, shapes_of
-from cadgen.messages import Message
+from cadgen.messages import Message, joined
 from cadgen.progress import Progress, silent
 
 # A subset less likely than this does not change what is expected of the car.
@@ -413,6 +413,7 @@ class WeighedTogether:
         joint: the joint verdict.
         records: as their files are, one of each kind.
         alone: verdict on one of them.
+        without: weighs the records without some.
         together: joint verdict that searches for as much as another did, from subsets to be fitted first; None if none
             of them is likelier than that one's.
         seen: joint verdict that searches for errors of the camera, too; None if none is likely.
@@ -421,6 +422,7 @@ class WeighedTogether:
     joint: Weighed
     records: tuple[Record, ...]
     alone: Callable[[Record], Weighed]
+    without: Callable[[Collection[Kind]], "WeighedTogether"]
     together: Callable[[Weighed, Sequence[Start]], Weighed | None]
     seen: Callable[[], Weighed | None]
 
@@ -439,12 +441,16 @@ class WeighedTogether:
         return self.together(found, _starts(found.joint, [self.alone(record) for record in self.records])) or found
 
     def diagnoses(self, progress: Progress = silent) -> tuple[EvidenceDiagnosis, ...]:
-        """Diagnosis of each record, each by itself where they contradict each other."""
+        """Diagnosis of each record: by itself where they contradict each other, or where no effect explains it."""
         joint = self.likeliest
         if len(self.records) == 1 or joint.judgement.verdict in SOUND:
             return joint.diagnoses(progress)
         # What no car of one kind shows may be of two cars, or of one in two states: records are likelier apart then.
         apart = [self.alone(record) for record in self.records]
+        if joint.judgement.verdict is Verdict.UNEXPLAINED:
+            odd = {r.kind: one for r, one in zip(self.records, apart, strict=True) if _unexplained(one)}
+            if 0 < len(odd) < len(apart):
+                return self._without(odd, progress)
         if joint.best.score < sum(each.best.score for each in apart) + CONTRADICTED:
             return joint.diagnoses(progress)
         limit = Message(
@@ -452,10 +458,29 @@ class WeighedTogether:
             "apart; make sure that they are of one car in one state"
         )
         return tuple(
-            replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), contradicted=True)
+            replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)), apart=True)
             for one in apart
             for each in one.diagnoses(progress)
         )
+
+
+    def _without(self, odd: Mapping[Kind, Weighed], progress: Progress) -> tuple[EvidenceDiagnosis, ...]:
+        """Diagnoses where some records are unexplained by themselves: the others are judged without them."""
+        limit = Message(
+            "{files} by itself is explained by no effect, and is not used here: find out why, or measure it again",
+            files=joined((record.source for record in self.records if record.kind in odd), " and "),
+        )
+        told = {each.kind: each for each in self.without(odd).diagnoses(progress)}
+        for kind, each in told.items():
+            told[kind] = replace(each, judgement=replace(each.judgement, limits=(*each.judgement.limits, limit)))
+        for kind, one in odd.items():
+            (each,) = one.diagnoses(progress)
+            told[kind] = replace(each, apart=True)
+        return tuple(told[record.kind] for record in self.records)
+
+
+def _unexplained(one: Weighed) -> bool:
+    return one.judgement.verdict is Verdict.UNEXPLAINED
 
 
 def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progress = silent) -> WeighedTogether:
@@ -472,8 +497,11 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
             known[record.kind] = weigh([record], nominal.model, progress, nominal.play, nominal.usual)
         return known[record.kind]
 
+    def without(kinds: Collection[Kind]) -> WeighedTogether:
+        return weigh_together([record for record in joined if record.kind not in kinds], nominal, progress)
+
     if len(joined) == 1:
-        return WeighedTogether(alone(joined[0]), tuple(joined), alone, lambda found, starts: None, lambda: None)
+        return WeighedTogether(alone(joined[0]), tuple(joined), alone, without, lambda found, starts: None, lambda: None)
     # Friction acts in all records of a car, but where the rod was lifted.
     settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
 
@@ -496,7 +524,7 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
         found = weighed(joint, [(best.effects, best.active)])
         return found if found.found[0].score < first.found[0].score else None
 
-    return WeighedTogether(first, tuple(joined), alone, together, seen)
+    return WeighedTogether(first, tuple(joined), alone, without, together, seen)
 
 
 def _starts(joint: Joint, apart: Sequence[Weighed]) -> list[Start]:

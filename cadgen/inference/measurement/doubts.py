@@ -38,9 +38,10 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
         if form := _better_form(effect, joint, best):
             why = Message("{form} in its place explains the records better", form=Message(form.name))
             judgement = unclaimed(judgement, [effect.name], why)
+    claimed = [e for e in claimed if e.name in judgement.claimed]
     for part in joint.parts:
         here = [e for e in claimed if e.key in part.names]
-        if uneven := [e for e in here if _differs(e, part, joint, best)]:
+        if uneven := [e for e in here if _differs(e, here, part, joint, best)]:
             # Then it is something else, and what is named beside it makes up for that.
             why = Message("of another size in each part of the turn: {names}", names=names_of(uneven))
             judgement = unclaimed(judgement, [e.name for e in here], why)
@@ -64,11 +65,12 @@ def _better_form(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | Non
     return None
 
 
-def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool:
+def _differs(effect: Effect, claimed: list[Effect], part: Part, joint: Joint, best: Hypothesis) -> bool:
     """Does an effect's size differ from part to part of a record's turn?
 
-    To first order, by the score test: columns are added that let the effect differ, and a datum of its own in each part
-    of the turn. They lessen r'C^-1 r by a chi-square with as many degrees of freedom as they are.
+    To first order, by the score test: columns are added that let the effect differ, beside those that let the other
+    claimed ones, and a datum of its own in each part of the turn. They lessen r'C^-1 r by a chi-square with as many
+    degrees of freedom as they are.
     """
     own, residual = part.own(best.active), part.residual(best.active)
 
@@ -81,13 +83,18 @@ def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool
         return False
     values = next(v for e, v in best.active if e == effect)[alive]
     mine = mine[:, alive]
+    others = slopes(tuple(e for e in claimed if e != effect))
     place = part.model.rows.place
     rank = np.argsort(np.argsort(place, kind="stable"), kind="stable")
     here = [(rank * _PARTS // len(place) == number)[:, None] for number in range(1, _PARTS)]
-    # Columns that change nothing if the size is one: of a part, less what the whole has of it.
-    differing = np.hstack([mine * (rows - 1 / _PARTS) for rows in here])
-    beside = np.hstack([slopes((*joint.datum, *best.effects)), *(part.model.offsets * rows for rows in here)])
-    white = part.evidence.whiten(np.hstack([beside, differing, residual[:, None]]))
+
+    def differing(columns: Array) -> Array:
+        # They change nothing if the size is one: of a part, less what the whole has of it.
+        return np.hstack([columns * (rows - 1 / _PARTS) for rows in here])
+
+    own_datum = (part.model.offsets * rows for rows in here)
+    beside = np.hstack([slopes((*joint.datum, *best.effects)), *own_datum, differing(others)])
+    white = part.evidence.whiten(np.hstack([beside, differing(mine), residual[:, None]]))
     products = part.evidence.products(white, white, [joint.grid.index(best.spectrum)])[0]
     size = np.sqrt(np.maximum(np.diag(products), np.finfo(float).tiny))
     products, first = products / size / size[:, None], beside.shape[1]
@@ -98,5 +105,6 @@ def _differs(effect: Effect, part: Part, joint: Joint, best: Hypothesis) -> bool
     gain = float(right @ scaled) * size[-1] ** 2
     found = (scaled * size[-1] / size[first:-1]).reshape(_PARTS - 1, -1)
     sizes = np.vstack([np.zeros(len(values)), found]) - found.sum(axis=0) / _PARTS
-    share = float(np.sqrt(np.mean(np.sum(sizes**2, axis=1)) / np.sum(values**2)))
-    return bool(chi2.sf(gain, differing.shape[1]) < _CHANCE) and share > _LEAST_SHARE
+    units = np.array([p.unit for p in effect.parameters])[alive]
+    shares = [np.mean(np.sum(sizes[:, units == u] ** 2, axis=1)) / np.sum(values[units == u] ** 2) for u in set(units)]
+    return bool(chi2.sf(gain, len(right)) < _CHANCE and max(shares) > _LEAST_SHARE**2)

@@ -259,7 +259,8 @@ class EvidenceDiagnosis(Diagnosis):
         unnamed: how much there could be of the quantities of `Kind.absences` that a sound verdict does not name, by
             quantity, fitted beside what it does.
         score: of the subset reported, by the criterion; of all records judged together.
-        contradicted: whether the record was judged apart from others of the car that it contradicts.
+        apart: whether the record was judged apart from others of the car: they contradict each other, or no effect
+            explains it and some explain the others.
         likely: subsets that may be true by all records together, the same for each of them.
         play_known: whether the play found has in it what was measured of it apart.
     """
@@ -274,7 +275,7 @@ class EvidenceDiagnosis(Diagnosis):
     unnamed: dict[Deviation, Finding] = field(default_factory=dict)
     play_known: bool = False
     score: float = 0.0
-    contradicted: bool = False
+    apart: bool = False
     likely: tuple[Likely, ...] = ()
 
 

@@ -283,7 +283,7 @@ def _within_floor(joint: Joint, found: list[Hypothesis]) -> tuple[Judgement, Hyp
     common = best.claims & sure
     reported = best.claims.union(*(h.claims for h in likely)) if best.effects else frozenset[str]()
     anonymous = any(e.shape for e in best.effects)
-    if shapes_of(best):
+    if shapes_of(best) or shapes_of(found[0]):
         common = _beside_shapes(common, found) if _explained(joint, found, best) >= MOST else frozenset()
     verdict: Verdict
     if not best.effects:

@@ -94,7 +94,7 @@ class Advice(Pictured):
 
         Raises:
             DesignError: see `cam_on_car.nominal_of`.
-            FileError: the records contradict each other, or are of another car than the cam steers.
+            FileError: the records are judged apart, or are of another car than the cam steers.
         """
         c = calibration
         diagnoses = [d for d in c.diagnoses if isinstance(d, EvidenceDiagnosis)]
@@ -103,10 +103,10 @@ class Advice(Pictured):
                 "what to measure next is reckoned for the car that the cam steers, and only logged runs of another one "
                 "were given: drive that one on a path of another shape, and give --predict what you left out"
             )
-        if any(d.contradicted for d in diagnoses):
+        if any(d.apart for d in diagnoses):
             raise FileError(
-                "what to measure next cannot be said while the records contradict each other: leave out those that are "
-                "not of this car in this state"
+                "what to measure next cannot be said while the records are judged apart: leave out those that are "
+                "unexplained, or not of this car in this state"
             )
         nominal = c.nominal or replace(nominal_of(design, c.profile, progress), form_error=c.form_error_um * 1e-3)
         records = [join([s.record for s in c.files(d.kind)]) for d in diagnoses]
@@ -393,10 +393,10 @@ def _by_evidence(calibration: CalibrationPlan, record: Record) -> Prediction:
             file=record.source,
             kind=record.kind.code,
         )
-    if any(d.contradicted for d in told):
+    if any(d.apart for d in told):
         raise FileError(
-            "{file}: nothing is predicted while the files that were used contradict each other: leave out those that "
-            "are not of this car in this state",
+            "{file}: nothing is predicted while the files that were used are judged apart: leave out those that are "
+            "unexplained, or not of this car in this state",
             file=record.source,
         )
     refuse_wrong_units(record, calibration.nominal)

@@ -70,7 +70,7 @@ def workshop_of(design: Design, calibrations: Sequence[CalibrationPlan]) -> Work
 
 
 def _evidence(calibration: CalibrationPlan) -> list[EvidenceDiagnosis]:
-    return [d for d in calibration.diagnoses if isinstance(d, EvidenceDiagnosis) and not d.contradicted]
+    return [d for d in calibration.diagnoses if isinstance(d, EvidenceDiagnosis) and not d.apart]
 
 
 @dataclass(frozen=True, eq=False)

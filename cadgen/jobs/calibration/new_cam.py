@@ -205,7 +205,7 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
     if track is None or track.verdict not in _UNSURE or track.runs < 2:
         return
     sources = {d.kind.code: d.source for d in judged}
-    together = {track.kind.code} if track.contradicted else sources.keys()
+    together = {track.kind.code} if track.apart else sources.keys()
     sure = {(c.kind.code, c.finding.effect): c for c in claims if c.kind.code in together and not c.absent}
     # What was judged apart, and that there is none of something, is sure as well.
     apart = [c for c in claims if (c.kind.code, c.finding.effect) not in sure]
@@ -224,7 +224,7 @@ def _whole(diagnoses: Sequence[Diagnosis], claims: Sequence[Claim]) -> Iterator[
         lost = any(
             runs and not (effect.shape or effect.instrument) and name not in kept for (name, effect, _), runs in every
         )
-        beside = [c for c in apart if not (track.contradicted and c.deviation in unsure)]
+        beside = [c for c in apart if not (track.apart and c.deviation in unsure)]
         if unsure and not lost and not unsure & {claim.deviation for claim in beside}:
             yield (*whole, *beside)
 

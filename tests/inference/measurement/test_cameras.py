@@ -71,7 +71,7 @@ def test_beside_a_train_the_cameras_error_is_an_effect_and_the_car_stays_explain
     train = drive.transmission_record(synthetic_car, drive.Train(play=0.6 * DEG), rng, noise_deg=0.03)
     wheels = drive.Wheels(zero=0.3 * DEG, gain=1.02, play=0.6 * DEG)
     track, _ = told = calibrate([seen(synthetic_car, wheels, lambda z: z / (1 + 0.015 * z.imag)), train], nominal)
-    assert not any(one.contradicted for one in told)
+    assert not any(one.apart for one in told)
     assert {"backlash", "perspective of the camera", "steering zero"} <= set(track.judgement.claimed)
     numbers = {v.name: v for finding in track.findings for v in finding.values}
     assert numbers["perspective_y_percent"].value == pytest.approx(1.5, abs=0.15)

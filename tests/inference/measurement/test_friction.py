@@ -85,7 +85,7 @@ def test_a_track_and_a_train_are_of_one_car_whether_the_rod_was_lifted_or_not(wo
     else:
         train = rod_record(world, play=180, friction=0.2, rng=rng)
     told = calibrate([track, train], replace(nominal, ratios=RATIOS, teeth=()))
-    assert not told[0].contradicted
+    assert not told[0].apart
     assert told[0].judgement.claimed == ("backlash", "sliding friction")
     values = {v.name: v for f in told[0].findings for v in f.values}
     assert values["return_error_deg"].value == pytest.approx(180 * STEP_DEG, abs=0.02)

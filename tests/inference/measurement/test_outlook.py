@@ -26,7 +26,7 @@ PLAY = 0.95 * syn.DEG
 def looked_ahead(nominal, likely, form_error=1e-9) -> Outlook:
     """Outlook on a cam like the one that is on the car, by what a track shows."""
     residual = SimpleNamespace(after=3.0, noise=3.0, left_out=None)
-    track = SimpleNamespace(kind=KIND, verdict=Verdict.TRACED, contradicted=False, likely=(likely,), residual=residual)
+    track = SimpleNamespace(kind=KIND, verdict=Verdict.TRACED, apart=False, likely=(likely,), residual=residual)
     same = NextCam(nominal=replace(nominal, form_error=form_error), gone=frozenset())
     return outlook([track], nominal, same, planned_end(load_design(), nominal), Unmeasured())
 
@@ -182,7 +182,7 @@ def test_records_that_contradict_each_other(synthetic_car, nominal):
     car = {"zero": 0.2 * syn.DEG, "play": 0.8 * syn.DEG}
     track = drive.track_record(synthetic_car, drive.Wheels(**car), rng, noise_mm=3.0)
     told = calibrate([train, track], nominal)
-    assert all(diagnosis.contradicted for diagnosis in told)
+    assert all(diagnosis.apart for diagnosis in told)
     of_track = driven(told, nominal, steering_zero_deg=0.2, return_error_deg=0.8)
     assert of_track.contradicted
     assert of_track.sound
@@ -202,5 +202,5 @@ def test_play_that_shows_in_a_train_alone_is_held_by_friction(synthetic_car, nom
     train = drive.transmission_record(synthetic_car, drive.Train(play=0.8 * syn.DEG), rng, noise_deg=0.03)
     track = drive.track_record(synthetic_car, drive.Wheels(zero=0.2 * syn.DEG), rng, noise_mm=3.0)
     told = calibrate([train, track], nominal)
-    assert not any(diagnosis.contradicted for diagnosis in told)
+    assert not any(diagnosis.apart for diagnosis in told)
     assert set(told[1].judgement.claimed) == {"backlash", "sliding friction", "steering zero"}
