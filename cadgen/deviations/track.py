@@ -191,8 +191,7 @@ def _on_one_flank(tan: Array, p: Array, at: Array) -> Array:
 
 
 _ENDS = {"deg": "deg", "%": "percent"}
-# What a linkage that gives, a wheel that slides, a zero that wanders and an edge worn on one side make of the steering's
-# tangent.
+# What a linkage that gives, a wheel that slides, a zero that wanders and an edge worn on one side make of the tangent.
 _OF_STEERING = (
     _form("steering that drifts", lambda tan, p, at: np.asarray(tan + p[0] * at / TURN), "deg", 5.0),
     _form("steering that bends", lambda tan, p, at: np.asarray(tan + p[0] * np.abs(tan)), "%", 30.0),

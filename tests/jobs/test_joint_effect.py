@@ -62,6 +62,15 @@ def test_the_cam_is_made_for_a_whole_subset_and_says_which_names_are_not_sure(to
 
 
 @pytest.mark.slow
+def test_a_record_that_no_effect_explains_is_said_beside_what_is_expected(told):
+    first, other = told.diagnoses
+    aside = replace(told, diagnoses=(first, replace(other, apart=True)))
+    line = f"Not used for this: {other.source}, which no effect explains."
+    assert str(report(aside)[1]) == line
+    assert line not in map(str, report(told))
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("car", "verdict", "before", "after"),
     [

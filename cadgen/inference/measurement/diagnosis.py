@@ -463,7 +463,6 @@ class WeighedTogether:
             for each in one.diagnoses(progress)
         )
 
-
     def _without(self, odd: Mapping[Kind, Weighed], progress: Progress) -> tuple[EvidenceDiagnosis, ...]:
         """Diagnoses where some records are unexplained by themselves: the others are judged without them."""
         limit = Message(
@@ -501,7 +500,8 @@ def weigh_together(records: Sequence[Record], nominal: Nominal, progress: Progre
         return weigh_together([record for record in joined if record.kind not in kinds], nominal, progress)
 
     if len(joined) == 1:
-        return WeighedTogether(alone(joined[0]), tuple(joined), alone, without, lambda found, starts: None, lambda: None)
+        one = alone(joined[0])
+        return WeighedTogether(one, tuple(joined), alone, without, lambda found, starts: None, lambda: None)
     # Friction acts in all records of a car, but where the rod was lifted.
     settled = [record.kind.settled(record, partial(_shown, alone, record)) for record in joined]
 

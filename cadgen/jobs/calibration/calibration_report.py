@@ -53,6 +53,9 @@ def report(calibration: CalibrationPlan) -> list[Block]:
     every = all(built.claim.sure for built in c.built)
     blocks: list[Block] = [_doubt_of_cam(c)] if c.other_cam is not None else []
     blocks += [expected(c.outlook, _CLAIMED if every else _TOGETHER)] if c.outlook else []
+    aside = [d.source for d in c.diagnoses if isinstance(d, EvidenceDiagnosis) and d.apart]
+    if c.outlook and aside and not c.outlook.contradicted:
+        blocks.append(Message("Not used for this: {files}, which no effect explains.", files=joined(aside)))
     if c.no_cam is not None:
         blocks.append(Message("No new cam can be planned for what is claimed: {reason}.", reason=c.no_cam))
     stated = {

@@ -47,4 +47,5 @@ def test_a_record_that_nothing_explains_takes_no_name_from_another(synthetic_car
     of_train, of_track = calibrate([odd, track], nominal)
     assert (of_train.verdict, of_train.apart, of_train.judgement.claimed) == ("unexplained", True, ())
     assert (of_track.verdict, of_track.apart, of_track.judgement.claimed) == (alone.verdict, False, alone.claimed)
-    assert any("synthetic train by itself is explained by no effect" in str(limit) for limit in of_track.judgement.limits)
+    why = "synthetic train by itself is explained by no effect"
+    assert any(why in str(limit) for limit in of_track.judgement.limits)
