@@ -10,10 +10,10 @@ from typing import NamedTuple
 import numpy as np
 
 from cadgen.car.assembly.car_parts import Block, Joined
-from cadgen.car.assembly.frame.foot_joints import FIT, SHEET_SHARE
+from cadgen.car.assembly.frame.foot_joints import SHEET_SHARE
 from cadgen.car.assembly.frame.one_piece import OnePiece, foot_of
 from cadgen.car.assembly.panels import Feature, Panel, rectangle
-from cadgen.car.running.friction import named_material
+from cadgen.car.running.friction import DiscMaterial, named_material
 from cadgen.curves.contour import Contour
 from cadgen.design import gear_model
 from cadgen.design.frame import Cutting, FrameSection
@@ -31,6 +31,8 @@ from cadgen.output.files.frame_files import FrameText, block_files, mesh_files, 
 from cadgen.output.files.manifest import Origin
 from cadgen.output.files.publisher import Artifact, Written, publish, text_file
 from cadgen.progress import Progress, silent
+
+_REAMED = Message("Classes and frames are of reamed seats; all else is as printed.")
 
 
 def write_frame(frame: CarFrame, out: Path, progress: Progress = silent) -> Written:
@@ -65,10 +67,8 @@ def _not_stated(frame: CarFrame) -> dict[str, str]:
         Message("material of the plates"): ("train.plate.material", plates.material),
         Message("material of the base"): ("frame.material", keys.material or plates.material),
     }
-    if keys.printed:
-        materials = {Message("material of the frame"): ("frame.material", keys.material)}
-    stated = materials | {
-        Message("surface finish"): ("drawing.finish", frame.design.drawing and frame.design.drawing.finish),
+    finish = {Message("surface finish"): ("drawing.finish", frame.design.drawing and frame.design.drawing.finish)}
+    stated = ({} if keys.printed else materials | finish) | {
         Message("tolerance of the base radius"): (
             "tolerances.base_radius_mm",
             frame.design.tolerances.base_radius_mm,
@@ -82,11 +82,9 @@ class _Zero(NamedTuple):
 
     Attributes:
         at: its place in the part's frame, mm.
-        name: what it is, for people.
     """
 
     at: tuple[float, float]
-    name: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,7 +107,7 @@ class _Files:
         if keys.cutting == Cutting.MILL and not keys.printed:
             machining = design.machining.model_copy(update={"cutter_diameter_mm": keys.cutter_diameter_mm})
         plates = gear_model.train_keys(design).plate or PlateSection()
-        others = material_of(job) or ""
+        others = material_of(job) or (str(DiscMaterial.PLA) if keys.printed else "")
         if frame.printed is not None:
             yield from self._printed(frame.printed, text, others)
         for panel in frame.sheets:
@@ -129,8 +127,9 @@ class _Files:
         if keys.printed:
             yield from self._meshes(frame.block.shape, stem, text)
         title = self._title(Message("block of the fork"), others, stem)
-        seats = Message("Seats for bearings {code}, one in each end.", code=frame.block.bearing.designation)
-        sheet = block_drawing(frame.block, (seats,), frame.sizes.screw.thread, title)
+        seats = [Message("Seats for bearings {code}, one in each end.", code=frame.block.bearing.designation)]
+        seats += [_REAMED] if keys.printed else []
+        sheet = block_drawing(frame.block, tuple(seats), frame.sizes.screw.thread, title)
         yield from write_sheet(self.staging, stem, sheet, self.omitted)
         table = StringIO()
         writer = csv.writer(table, lineterminator="\n")
@@ -186,15 +185,18 @@ class _Files:
 
     def _title(self, part: str, material: str, stem: str) -> Title:
         design = self.job.design
-        return title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
+        made = title_of(Origin.of(design), design.drawing, part, material, stem, self.folder)
+        if not (design.frame or FrameSection()).printed:
+            return made
+        return replace(made, printed=True, finish="")  # the design's is of parts that are cut
 
     def _zero(self, panel: Panel) -> _Zero:
         """Datum on a sheet part: two edges of the base; else the first seat of a shaft, or the first hole."""
         if panel is self.job.frame.base or not panel.holes:
             left, low = panel.outline.vertices.min(axis=0).tolist()  # all its arcs are in the material
-            return _Zero((left, low), Message("left and lower edge"))
+            return _Zero((left, low))
         hole = min(panel.holes, key=lambda each: (not (each.fit and each.shaft), each.shaft))
-        return _Zero((hole.u, hole.v), hole.name)
+        return _Zero((hole.u, hole.v))
 
     def _words(self, panel: Panel, zero: _Zero) -> PanelText:
         frame = self.job.frame
@@ -205,7 +207,7 @@ class _Files:
         thick, flat = panel.thickness, panel is frame.platform or panel.code == "guide_top"
         notes: list[Message] = []
         if panel in walls:
-            notes = [Message("Wall of the frame that is printed in one piece, {size:g} mm thick.", size=thick)]
+            notes = [Message("Wall of the frame that is printed in one piece."), *([_REAMED] if panel.holes else [])]
         elif walls and panel is frame.base:
             notes = [Message("Base of {size:g} mm with walls on its upper face.", size=thick)]
         between: list[tuple[str, tuple[float, float], tuple[float, float]]] = []
@@ -217,7 +219,7 @@ class _Files:
         elif flat:
             notes.append(Message("Seen from above, the front of the car to the left."))
         elif panel.code in ("bracket_micrometer", "wall_micrometer"):
-            notes.append(Message("Seen from before the car."))
+            notes += [Message("Seen from before the car."), Message("Micrometer head bonded into its hole.")]
         else:
             notes.append(Message("Seen from the left of the car, its front to the left."))
         if panel in frame.plates:
@@ -231,7 +233,6 @@ class _Files:
         slots = [each for each in frame.base.features if each.pattern == panel.code]
         held = SHEET_SHARE if any(all(each.fitted) for each in slots) else 0.0
         return PanelText(
-            datum=zero.name,
             notes=tuple(notes),
             between=tuple(between),
             zones=zones,
@@ -261,8 +262,4 @@ class _Files:
                 "either side. Its tolerance is not stated (tolerances.base_radius_mm).",
                 apart=site.base_radius,
                 way=way,
-            )
-        if frame.printed is None:
-            yield Message(
-                "Slots are {fit:g} mm wider than the sheets in them: measure those first, and try one.", fit=FIT
             )

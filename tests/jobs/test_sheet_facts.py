@@ -60,7 +60,7 @@ from tests.output.drawing.test_drawings import boxes
 
 PAGE = Path(__file__).parents[2] / "docs" / "reference" / "sheets.md"
 # Sheets say in one of these ways what they count from: axis and face, a hole or edges, angle 0.
-DATUMS = ("Datum", "from the datum: ", "0°")
+DATUMS = ("Datum", "places from 0", "0°")
 # Words of the mounting page, the assembly's sheet and the checks that are features of a part, or need one to be done:
 # the beginning of its code. A word that is neither here nor below nor in a title of the list is a part that is missing.
 NEEDS = {
@@ -436,6 +436,20 @@ def test_plates_and_block_of_the_frame_hold_their_seats_by_frames(sheets: dict[s
         assert {each.characteristic for each in others} == {Characteristic.POSITION}
         assert not any("±" in note or "Ø" in note or "M3" in note for note in sheet.notes)
         assert any(cell == "M3 × 6 / Ø2.5 × 8" for row in sheet.tables[0].rows for cell in row)
+        # Boxes hold the places of the seats alone, and tabs and foot keep near and far seats in line.
+        table = sheet.tables[0]
+        boxed = {row: {column for each, column in table.exact if each == row} for row in range(len(table.rows))}
+        assert [row for row, columns in boxed.items() if columns == {1, 2}] == [
+            row for row, cells in enumerate(table.rows) if cells[4].startswith("seat of shaft")
+        ]
+        seats = {cells[0]: float(cells[1]) for cells in table.rows if cells[4].startswith("seat of shaft")}
+        tabs = {cells[0]: (float(cells[1]), float(cells[2])) for cells in table.rows if cells[4] == "tab"}
+        (along,) = (cells for cells in table.rows if cells[4] == "along, middle to middle")
+        one, other = along[0].split("–")
+        assert along[3] == f"{abs(tabs[other][0] - seats[one]):g}±0.025"
+        (foot,) = (each for each in sheet.views[0].dimensions if each.name == "datum across")
+        assert foot.suffix == " ±0.025"
+        assert sheet.dimensions["datum across"] == pytest.approx(-tabs[other][1] - 3.0, abs=1e-3)  # tabs of 6 mm
     # Sheets without a view from the side say their thickness by the sign of ISO 129-1, within their outline.
     for code, thick in (("base", 6), ("platform", 6), ("bracket_idle", 8), ("bracket_micrometer", 8)):
         sheet = sheets[f"workshop_car_frame_{code}"]
@@ -458,6 +472,20 @@ def test_plates_and_block_of_the_frame_hold_their_seats_by_frames(sheets: dict[s
     assert (aligned.characteristic, aligned.zone_text, aligned.datums) == (Characteristic.COAXIALITY, "Ø0.018", ("B",))
     assert [each.suffix for each in block.views[1].dimensions if each.name.endswith("seat")][:1] == [" H7 (+0.018/0)"]
     assert len(block.notes) == 1
+    # The cut metal: the box less its seats, the hole between them and the drilled holes, in their middle plane.
+    said = block.dimensions
+    open_area = 2 * said["seat"] * said["depth of the upper seat"]
+    open_area += said["hole between the seats"] * (said["height"] - 2 * said["depth of the upper seat"])
+    open_area += 2 * 2.5 * said["depth of the threads' holes"]
+    hatched = sum(shapely.Polygon(each.outside, each.holes).area for each in block.views[1].hatches)
+    assert hatched == pytest.approx(said["length"] * said["height"] - open_area, abs=1e-6)
+    assert [label.text for label in block.views[1].labels] == ["A–A"]
+    assert [label.text for label in block.views[0].labels].count("A") == 2
+    assert any("bonded" in note for note in sheets["workshop_car_frame_bracket_micrometer"].notes)
+    # Standards of machined parts say nothing of a printed one.
+    printed = document_of(replace(block, title=replace(block.title, printed=True, finish="")))
+    said_of_it = [text.dxf.text for text in printed.modelspace().query("TEXT")]
+    assert (said_of_it.count("as printed"), said_of_it.count("ISO 2768-mK"), said_of_it.count("-0.3")) == (3, 0, 0)
 
 
 @pytest.mark.parametrize("language", ["en", "zh"])
@@ -818,9 +846,11 @@ def test_tabs_go_into_their_slots_by_the_limits_that_the_sheets_state(car: CarAs
             narrowest = pair[0][2][1][0] - pair[0][2][1][1]
             assert narrowest - thickest >= apart[number][1][1] - 1e-9
     assert closed == 1
-    # What goes through both plates is held by the slots of both, which stand in line along the car.
+    # What goes through several sheets is held by the slots of all of them, from the first one of the first sheet.
     in_line = [row for row in sheets[base].tables[0].rows if row[4] == "along, middle to middle"]
-    assert [limited_sizes(row[3]) for row in in_line] == [[(0.0, apart[0][0][1])]]
+    assert [limited_sizes(row[3]) for row in in_line] == [
+        [(abs(slots[each][0] - slots[0][0]), apart[0][0][1])] for each in (2, 4)
+    ]
     assert slots[0][0] == slots[2][0]
 
 

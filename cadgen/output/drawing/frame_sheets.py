@@ -1,20 +1,21 @@
 """Sheets of a frame: its sheet parts with every hole from one datum, and the fork's block."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import combinations, pairwise
+from itertools import pairwise
 
 import numpy as np
 import shapely
 
 from cadgen.car.assembly.frame.foot_joints import SHARE
 from cadgen.car.assembly.frame.fork_block import ForkBlock
-from cadgen.car.assembly.panels import THREAD_END, Feature, Panel, rectangle
+from cadgen.car.assembly.panels import THREAD_END, Feature, Panel, SheetHole, rectangle
 from cadgen.curves.contour import Contour
 from cadgen.gears.fits import deviations
 from cadgen.messages import Message
 from cadgen.output.drawing.hole_frames import edge_view, hole_frames
 from cadgen.output.drawing.placement import Room
+from cadgen.output.drawing.section import outlines_and_hatches
 from cadgen.output.drawing.shaft_fit import limited
 from cadgen.output.drawing.sheet import (
     DIAMETER,
@@ -43,11 +44,13 @@ from cadgen.output.drawing.sheet import (
     beside_title,
     centre_cross,
     chosen_sheet,
+    cutting_plane,
     have_room,
     length_of,
     over_title,
     ring,
     rounded,
+    section_title,
     upright,
 )
 
@@ -65,7 +68,6 @@ class PanelText:
     """Words on the sheet of a sheet part, besides its geometry.
 
     Attributes:
-        datum: what the datum is, for people.
         notes: sentences for the shop.
         between: auxiliary dimensions: name, first and second point on the part, mm.
         zones: zones of the seats of shafts by their numbers, mm; none where no distance has a tolerance.
@@ -74,7 +76,6 @@ class PanelText:
         thickness_share: greatest deviation of the thickness, mm; 0 where the general tolerance holds.
     """
 
-    datum: str
     notes: tuple[str, ...]
     between: tuple[tuple[str, tuple[float, float], tuple[float, float]], ...] = ()
     zones: Mapping[int, float] = field(default_factory=dict)
@@ -99,11 +100,14 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     points = panel.outline.polygon(0.01)
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     rows = tuple(_rows(panel, text))
+    exact = frozenset(
+        (row, column) for row, each in enumerate(panel.holes, 1) if _framed(each, text) for column in (1, 2)
+    )
     table_width = sum(_WIDTHS)
 
     def table_of(size: str) -> SheetTable:
         at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
-        return SheetTable(title=Message("from the datum: {datum}", datum=text.datum), at=at, widths=_WIDTHS, rows=rows)
+        return SheetTable(title=Message("places from 0"), at=at, widths=_WIDTHS, rows=rows, exact=exact)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return over_title([table_of(size)], table_width, title), beside_title(size)
@@ -125,8 +129,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         half = edge.diameter / 2
         corners = rectangle(edge.u - half, edge.v, edge.u + half, edge.v + edge.depth)
         curves.append(Stroke(np.vstack([corners, corners[:1]]), LineKind.HIDDEN))
-    marked = [(0.0, 0.0), *(end for _, *ends in text.between for end in ends)]
-    for point in marked:
+    for point in ((0.0, 0.0), *(end for _, *ends in text.between for end in ends)):
         curves += centre_cross(5.0 / scale, point)
     room = Room(curves, scale)
     dimensions: list[Dimension] = [
@@ -136,14 +139,18 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
     if round(left, 6):  # else the datum is the corner
         dimensions.append(_to_datum("datum along", (left, low), (left, low - gap), 0.0, scale))
     if round(low, 6):
-        dimensions.append(_to_datum("datum across", (left, low), (left - 0.8 * gap, low), 90.0, scale))
+        # On the side that is nearer; from the foot of a sheet with tabs, whose seats are at that height in all of them.
+        feet, seated = [each.v + each.across / 2 for each in _tabs(panel)], _first_seat(panel) is not None
+        side, out = (right, right + 0.8 * gap) if right < -left else (left, left - 0.8 * gap)
+        across = _to_datum("datum across", (side, feet[0] if feet else low), (out, low), 90.0, scale)
+        dimensions.append(_held(across, scale) if feet and seated else across)
     for number, (name, start, end) in enumerate(text.between):
         over = high + (0.9 + 0.9 * number) * gap
         made = LinearDimension(name=name, start=start, end=end, at=(start[0], over), prefix="(", suffix=")")
         dimensions.append(made)  # auxiliary: not of the part, but of how it is set
     for dimension in dimensions:
         room.take(dimension)
-    seats = [hole for hole in panel.holes if hole.fit and hole.shaft in text.zones]
+    seats = [hole for hole in panel.holes if _framed(hole, text)]
     seats.sort(key=lambda hole: hole.shaft)
     framed = [
         (f"seat of shaft {each.shaft}", (each.u, each.v), each.diameter, text.zones[each.shaft]) for each in seats
@@ -156,7 +163,7 @@ def panel_drawing(panel: Panel, text: PanelText, title: Title) -> DrawingSheet:
         for number, hole in enumerate(panel.holes, 1)
     ]
     labels += [
-        _number(room, str(number), feature, scale, marked)
+        _number(room, str(number), feature, scale)
         for number, feature in enumerate(panel.features, len(panel.holes) + 1)
     ]
     before = len(panel.holes) + len(panel.features)
@@ -197,7 +204,36 @@ def _to_datum(
     return replace(made, beside=upright(name, 0.0, (0.0, length_of(made)), 0.0, scale).beside)
 
 
-def _number(room: Room, number: str, feature: Feature, scale: float, marked: Sequence[tuple[float, float]]) -> Label:
+def _held(dimension: LinearDimension, scale: float) -> LinearDimension:
+    """The upright dimension with the limits by which sheets of one frame agree, its number where there is room."""
+    suffix = f" ±{SHARE:g}"
+    made = upright(dimension.name, 0.0, (0.0, length_of(dimension)), 0.0, scale, suffix=suffix)
+    return replace(dimension, suffix=suffix, beside=made.beside)
+
+
+def _tabs(panel: Panel) -> list[Feature]:
+    """Tabs of a standing sheet."""
+    return [each for each in panel.features if each.pattern == panel.code]
+
+
+def _first_seat(panel: Panel) -> int | None:
+    """Number of the seat of a shaft at the zero of a sheet; None without one."""
+    return next(
+        (
+            number
+            for number, each in enumerate(panel.holes, 1)
+            if each.fit and each.shaft and (each.u, each.v) == (0, 0)
+        ),
+        None,
+    )
+
+
+def _framed(hole: SheetHole, text: PanelText) -> bool:
+    """Whether a frame holds the place of a hole."""
+    return bool(hole.fit) and hole.shaft in text.zones
+
+
+def _number(room: Room, number: str, feature: Feature, scale: float) -> Label:
     """Number of a slot, tab or opening: within it where it has room, else beside its outline.
 
     Args:
@@ -205,14 +241,10 @@ def _number(room: Room, number: str, feature: Feature, scale: float, marked: Seq
         number: number.
         feature: what it stands for.
         scale: mm on paper for a mm of the part.
-        marked: points with a cross, off which it keeps, mm.
     """
     along, across = scale * feature.along, scale * feature.across
     if along > _WITHIN and across > _WITHIN:
-        aside = 0.25 * any(np.hypot(u - feature.u, v - feature.v) < _WITHIN / scale for u, v in marked)
-        label = Label(text=number, at=(feature.u + aside * feature.along, feature.v + aside * feature.across))
-        room.take(label)
-        return label
+        return room.within(number, (feature.u, feature.v), _NUMBER, (along / 2, across / 2))
     return room.label(number, (feature.u, feature.v), _NUMBER, TEXT, (along / 2, across / 2))
 
 
@@ -248,12 +280,8 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
     number = 0
     for hole in panel.holes:
         number += 1
-        size, name = f"{DIAMETER}{rounded(hole.diameter)}", hole.name
-        if hole.fit:
-            size += limited(hole.diameter, hole.fit)
-        if hole.fit and hole.shaft in text.zones:
-            name = Message("{hole}, exact place", hole=name)
-        yield str(number), _at(hole.u), _at(hole.v), size, name
+        size = f"{DIAMETER}{rounded(hole.diameter)}{limited(hole.diameter, hole.fit)}"
+        yield str(number), _at(hole.u), _at(hole.v), size, hole.name
     for feature in panel.features:
         number += 1
         sizes = (
@@ -276,7 +304,8 @@ def _rows(panel: Panel, text: PanelText) -> Iterator[tuple[str, ...]]:
 def _distances(panel: Panel) -> Iterator[tuple[str, ...]]:
     """Rows of the distances of the tabs of a sheet, and of the slots of each: those along that have a fit there.
 
-    Last come the first slots of two sheets that stand in line: they hold what goes through both.
+    Last come the first slots of sheets whose seats are in line, and the first tab from the first seat: they hold what
+    goes through several sheets.
     """
     numbered = list(enumerate(panel.features, len(panel.holes) + 1))
     patterns = dict.fromkeys(each.pattern for each in panel.features if each.pattern)
@@ -288,9 +317,14 @@ def _distances(panel: Panel) -> Iterator[tuple[str, ...]]:
             sizes = [f"{rounded(size, 2)}±{SHARE:g}" for size, fits in zip(apart, fitted, strict=True) if fits]
             if sizes:
                 yield f"{first}–{second}", "", "", " × ".join(sizes), Message("distance, middle to middle")
-    for (first, one), (second, other) in combinations([tabs[0] for tabs in groups], 2):
-        if round(one.u - other.u, 3) == 0 and one.fitted[0] and other.fitted[0]:
-            yield f"{first}–{second}", "", "", f"0±{SHARE:g}", Message("along, middle to middle")
+    along = Message("along, middle to middle")
+    in_line = [tabs[0] for tabs in groups if tabs[0][1].pattern != panel.code and tabs[0][1].fitted[0]]
+    for second, other in in_line[1:]:
+        first, one = in_line[0]
+        yield f"{first}–{second}", "", "", f"{rounded(abs(other.u - one.u), 3)}±{SHARE:g}", along
+    if seat := _first_seat(panel):
+        for second, tab in [each for each in numbered if each[1].pattern == panel.code][:1]:
+            yield f"{seat}–{second}", "", "", f"{rounded(abs(tab.u), 3)}±{SHARE:g}", along
 
 
 def slanted_corners(panel: Panel) -> list[tuple[float, float]]:
@@ -313,7 +347,7 @@ def _at(place: float) -> str:
 
 
 def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: Title) -> DrawingSheet:
-    """Sheet of the fork's block: from above, and the section along the car.
+    """Sheet of the fork's block: from above, and section A-A through its threads.
 
     The upper seat stands square to the lower face, the lower one in line with the upper, each within the width of the
     seats' class: by so much a bearing may stand aside in its seat.
@@ -340,16 +374,21 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
         *(ring(size, LineKind.HIDDEN, (at, 0.0)) for at in block.threads for size in (block.tap, float(thread[1:]))),
         *(line for at in (0.0, *block.threads) for line in centre_cross(3.0 + seat.diameter / 4, (at, 0.0))),
     ]
+    plane, letters = cutting_plane(np.pi, half + 1.7 * gap, scale)
+    top += plane
     thick = float(thread[1:]) / 2
     cut: list[Closed | Stroke] = [Closed(_box(-half, 0.0, half, tall))]
+    open_areas = []
     for low, high, radius in (
         (0.0, seat.width, seat.diameter / 2),
         (seat.width, tall - seat.width, block.bore / 2),
         (tall - seat.width, tall, seat.diameter / 2),
     ):
         cut.append(Closed(_box(-radius, low, radius, high)))
+        open_areas.append(shapely.box(-radius, low, radius, high))
     for at in block.threads:
         cut.append(Closed(_box(at - block.tap / 2, 0.0, at + block.tap / 2, block.depth)))
+        open_areas.append(shapely.box(at - block.tap / 2, 0.0, at + block.tap / 2, block.depth))
         cut += [
             Stroke(np.array([[at + side, 0.0], [at + side, block.depth - THREAD_END]]), LineKind.THIN)
             for side in (-thick, thick)
@@ -393,7 +432,10 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
         symbols.append(frame)
         if each is seats[0]:
             symbols.append(room.hung("B", frame))
-    words = (Label(text=Message("from above"), at=(0.0, -across - 1.2 * gap), height=3.5),)
+    solid = shapely.difference(shapely.box(-half, 0.0, half, tall), shapely.union_all(open_areas))
+    _, hatches = outlines_and_hatches(list(shapely.get_parts(solid)))
+    _, title_of_section = section_title(np.pi / 2, (0.0, -_CAPTION * gap), scale)
+    words = (Label(text=Message("from above"), at=(0.0, -across - 1.2 * gap), height=3.5), *letters)
     sizes = Room(top, scale).dimensions(
         [
             LinearDimension(name="length", start=(-half, across), end=(half, across), at=(0.0, across + 2 * gap)),
@@ -412,7 +454,7 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
                 prefix=f"{len(block.threads)} × ",
                 suffix=f" × {rounded(block.depth - THREAD_END, 2)}",
                 sign="M",
-                angle=-60.0,
+                angle=-25.0,
             ),
         ],
         words,
@@ -435,7 +477,8 @@ def block_drawing(block: ForkBlock, notes: tuple[str, ...], thread: str, title: 
                 upright("depth of the lower seat", half, (0.0, seat.width), half + gap, scale),
                 upright("depth of the threads' holes", -half, (0.0, block.depth), -half - gap, scale),
             ),
-            labels=(Label(text=Message("section along the car"), at=(0.0, -_CAPTION * gap), height=3.5),),
+            labels=title_of_section,
+            hatches=tuple(hatches),
         ),
     )
     return DrawingSheet(

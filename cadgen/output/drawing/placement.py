@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import TypeVar
 
 import numpy as np
@@ -169,16 +170,36 @@ class Room:
             height: height of the letters on paper, mm.
             extent: half the width and height of what stands there, mm on paper, which the label keeps off.
         """
+        return self._best(self._around(text, around, away, height, extent))
+
+    def within(self, text: str, middle: tuple[float, float], away: float, extent: tuple[float, float]) -> Label:
+        """A label within a rectangle, in its middle if no line is there; beside it where lines take all of it.
+
+        Args:
+            text: text of the label.
+            middle: middle of the rectangle, mm.
+            away: distance of the label from the rectangle, where it stands beside it, mm on paper.
+            extent: half its width and height, mm on paper.
+        """
+        (x, y), (wide, high) = middle, (each / 2 / self._scale for each in extent)
+        places = [(x + across * wide, y + up * high) for across, up in product((0, 1, -1), repeat=2)]
+        inside = [(Label(text=text, at=at), _FAR * number) for number, at in enumerate(places)]
+        beside = self._around(text, middle, away, TEXT, extent)
+        return self._best([*inside, *((label, 1.0 + cost) for label, cost in beside)])
+
+    def _around(
+        self, text: str, around: tuple[float, float], away: float, height: float, extent: tuple[float, float]
+    ) -> list[tuple[Label, float]]:
+        """Places of a label about a point, as of `label`, each with how much it is worse than the first."""
         angles = np.radians([45, 135, -45, -135, 0, 90, 180, -90])
         units = np.stack([np.cos(angles), np.sin(angles)], axis=1)
         reaches = (away,) if extent == (0.0, 0.0) else (away, away + 2.5, away + 5.0)
         sides = np.rint(units) * np.array(extent)
         ways = np.concatenate([sides + reach * units for reach in reaches]) / self._scale
-        every = [
+        return [
             (Label(text=text, at=(around[0] + x, around[1] + y), height=height), _FAR * number)
             for number, (x, y) in enumerate(ways.tolist())
         ]
-        return self._best(every)
 
     def frame(self, frame: Led, tips: Sequence[tuple[Array, Array]], leaders: Sequence[float] = _LEADERS) -> Led:
         """A tolerance frame, or the sign of a texture on a leader, where there is room beside its feature.

@@ -365,6 +365,7 @@ class SheetTable:
         widths: widths of the columns, mm.
         rows: cells of each row; the first row names the columns where `headed` is true.
         headed: whether the first row names the columns.
+        exact: rows and columns of the cells that are theoretically exact, which boxes around them say (ISO 1101).
     """
 
     title: str
@@ -372,6 +373,7 @@ class SheetTable:
     widths: tuple[float, ...]
     rows: tuple[tuple[str, ...], ...]
     headed: bool = True
+    exact: frozenset[tuple[int, int]] = frozenset()
 
     @property
     def height(self) -> float:
@@ -400,6 +402,7 @@ class Title:
         edge: how much may be taken off outer edges that have no size of their own, or stand in inner ones (ISO 13715),
             mm.
         inner: how much may stand in inner ones, mm; None for as much as may be off outer ones.
+        printed: whether the part is as a printer leaves it: standards of machined parts then say nothing of it.
     """
 
     part: str
@@ -417,6 +420,7 @@ class Title:
     verdict: str = ""
     edge: float = 0.3
     inner: float | None = None
+    printed: bool = False
 
     @property
     def height(self) -> float:

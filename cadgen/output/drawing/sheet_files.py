@@ -545,8 +545,14 @@ def _table(space: Modelspace, table: SheetTable, say: Callable[[str], str]) -> N
     for edge in edges:
         space.add_line((edge, top), (edge, bottom), dxfattribs=thin)
     for number, row in enumerate(table.rows):
-        for left, cell in zip(edges, row, strict=False):
-            _text(space, say(cell), (left + 1.0, top - (number + 0.5) * ROW - height / 2), height)
+        for column, (left, cell) in enumerate(zip(edges, row, strict=False)):
+            middle = top - (number + 0.5) * ROW
+            _text(space, say(cell), (left + 1.0, middle - height / 2), height)
+            if (number, column) in table.exact:
+                near, far = left + 0.5, left + 1.4 + height * text_length(say(cell))
+                low, high = middle - height / 2 - _AROUND, middle + height / 2 + _AROUND
+                corners = [(near, low), (far, low), (far, high), (near, high)]
+                space.add_lwpolyline(corners, close=True, dxfattribs=thin)
 
 
 def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) -> None:
@@ -558,15 +564,16 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
     x, y = width - EDGE - across, EDGE
     space.add_lwpolyline([(x, y), (x, y + up), (x + across, y + up)], dxfattribs=frame)
     title = drawing.title
+    as_printed = Message("as printed") if title.printed else ""
     cells = [  # column, row from below, width of the cell in columns, name, text
         (0, 5, 2, Message("part"), title.part),
         (2, 5, 1, Message("kind of document"), title.document),
         (0, 4, 2, Message("title"), title.title),
         (2, 4, 1, Message("scale"), f"{scale_text(drawing.scale)}  ({drawing.size})"),
         (0, 3, 1, Message("material"), title.material or Message("not stated")),
-        (1, 3, 1, Message("surface finish"), title.finish or Message("not stated")),
-        (2, 3, 0.5, Message("general tolerances"), "ISO 2768-mK"),
-        (2.5, 3, 0.5, Message("edges, ISO 13715"), ""),
+        (1, 3, 1, Message("surface finish"), title.finish or as_printed or Message("not stated")),
+        (2, 3, 0.5, Message("general tolerances"), as_printed or "ISO 2768-mK"),
+        (2.5, 3, 0.5, Message("edges, ISO 13715"), as_printed),
         (0, 2, 1, Message("legal owner"), title.owner),
         (1, 2, 1, Message("drawn by"), title.drawn_by),
         (2, 2, 1, Message("approved by"), title.approved_by),
@@ -602,9 +609,9 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
             _text(space, "(", (after, low + 1.4), TEXT)
             _surface_symbol(space, after + 1.2, low + 1.0)
             _text(space, ")", (after + SIGN + 1.0, low + 1.4), TEXT)
-    _edge_signs(
-        space, x + 2.5 * column + 0.6, y + 3 * row, title.edge, title.edge if title.inner is None else title.inner
-    )
+    if not title.printed:
+        inner = title.edge if title.inner is None else title.inner
+        _edge_signs(space, x + 2.5 * column + 0.6, y + 3 * row, title.edge, inner)
     _first_angle(space, x + across - 9.0, y + 4.5 * row)
     if title.verdict:
         verdict = say(title.verdict)
@@ -783,6 +790,7 @@ def _face_with(file: Path, letters: frozenset[str]) -> int | None:
     return None
 
 
+_AROUND = 0.5  # mm from a text in a table to the box that says it is theoretically exact
 _BESIDE = 1.5  # mm of a table's column that are beside its text
 _INCH = 25.4
 _POINT = 72 / _INCH  # points in a mm
