@@ -190,8 +190,10 @@ grade = 7
 bore_diameter_mm = 5.0
 hub = {{ diameter_mm = 10.0, length_mm = 6.0, set_screw_mm = 2.5 }}
 
-[train.intermediate]               # wheel and pinion in one piece
+[train.intermediate]               # wheel and pinion, cut apart, which any tool can do, and glued
 bore_diameter_mm = 3.0
+joint = "glued"
+cut_apart = true
 
 [train.output]                     # the wheel on the camshaft
 bore_diameter_mm = 8.0

@@ -87,9 +87,10 @@ def blanks(design: TrainDesign) -> Blanks:
 
     def blank(place: str, section: GearBlankSection) -> Blank:
         made, plain = _made(design, place, section), _blank(section)
-        if made.tool is None or made.apart:
+        if made.tool is None and not made.apart:
             return plain
-        return CutBlank(**{each.name: getattr(plain, each.name) for each in fields(plain)}, tool=made.tool)
+        given = {each.name: getattr(plain, each.name) for each in fields(plain)}
+        return CutBlank(**given, tool=made.tool, apart=made.apart)
 
     places = (keys.drive, keys.intermediate, keys.output)
     drive, intermediate, output = (bool(place.shaft_ends) for place in places)
@@ -118,13 +119,13 @@ def makings(design: TrainDesign, parts: Sequence[TrainPart]) -> tuple[Made, ...]
 
     Args:
         design: loaded design.
-        parts: parts of its train, those on the shafts first.
+        parts: parts of its train.
     """
     keys = train_keys(design)
-    on_shafts = keys.on_shafts(sum(not part.beside for part in parts))
+    on_shafts = keys.on_shafts(max(part.shaft for part in parts if not part.beside))
     made = []
-    for number, part in enumerate(parts):
-        place, blank = ("", GearBlankSection()) if part.beside else on_shafts[number]
+    for part in parts:
+        place, blank = ("", GearBlankSection()) if part.beside else on_shafts[part.shaft - 1]
         each = _made(design, place, blank)
         if is_ring(part.gears[0]):
             own, stage = blank.cutting, keys.stages[part.stages[0] - 1]

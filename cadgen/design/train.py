@@ -308,8 +308,8 @@ class GearBlankSection(Held):
     )
     cut_apart: bool | None = Field(
         default=None,
-        description="whether the two gears of the shaft are cut as two parts and joined by `joint`; left out, they are "
-        "one piece; the files are of both as joined",
+        description="whether the two gears of the shaft are cut as two parts, each with files and a sheet of its own, "
+        "and joined by `joint`; left out, they are one piece",
     )
     shaft_ends: bool | None = Field(
         default=None,

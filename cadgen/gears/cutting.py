@@ -105,7 +105,7 @@ def cutting_checks(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple
             if isinstance(gear, GearForm) and (sort := tool.cannot_reach(gear)):
                 name = Message("{teeth}, {how}", teeth=sort, how=CUT[tool.cutting])
                 reached.append(beyond(name, gear, part, _other_ways(gear, made)))
-        for each in () if made.apart else blocked(part):
+        for each in blocked(part):
             if tool.cutting == ToothCutting.WIRE:
                 reached.append(beyond(Message("teeth that a wire cannot reach"), each.gear, part, _apart(made)))
             elif tool.cutting != ToothCutting.PRINTED:
@@ -155,7 +155,7 @@ def cutting_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[
                     key=made.key,
                 )
             )
-        if made.cutting is not None or made.apart:
+        if made.cutting is not None:
             continue
         for each in blocked(part):
             shaped, hobbed = (tool.run_out(each.gear, each.beside) for tool in _usual_tools(made))
@@ -194,9 +194,15 @@ def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
     how = made.cutting
     if how is not None and any(isinstance(gear, GearForm) for gear in part.gears):
         yield Message("Teeth: {how}.", how=CUT[how])
-    if made.apart and len(part.gears) > 1:
-        yield Message("Lower and upper gear: cut apart, then {joined}.", joined=made.joined)
-        return
+    if part.joined_to:
+        stands = Message("Stands on the collar of {other}", other=part.joined_to)
+        if part.blank.hub:
+            stands = Message("On its collar stands {other}", other=part.joined_to)
+        yield Message(
+            "{stands}, on the same shaft, {joined}. Angle between the teeth of both: free.",
+            stands=stands,
+            joined=made.joined,
+        )
     for each in () if how == ToothCutting.PRINTED else blocked(part):
         gear = Message("upper gear") if each.number else Message("lower gear")
         room, beside = f"{each.room:.4g}", f"{each.beside:.4g}"

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import chain, pairwise, product, takewhile
 from math import asin, ceil, degrees, floor, pi, radians
 from typing import TypeVar
@@ -87,7 +88,8 @@ class TrainPart:
     `gears` are none, one or two wheels by rising height in the part's own frame, each with a tooth on the x axis if it
     has any. `stages` are the numbers of the stages they belong to, from 1. A `flipped` part is first turned over about
     x. `figures` is the number of its figures among those of its stage's wheels, for a part that stands beside the
-    shafts; `shaft` then only counts on, and `turns` and `orbits` are those of `Standing`.
+    shafts; `shaft` then only counts on, and `turns` and `orbits` are those of `Standing`. `joined_to` names the
+    part that a gear cut apart is joined to; empty for any other.
     """
 
     name: str
@@ -103,6 +105,33 @@ class TrainPart:
     figures: int | None = None
     turns: tuple[float, float] = (0.0, 0.0)
     orbits: bool = False
+    joined_to: str = ""
+
+    @property
+    def pieces(self) -> tuple[TrainPart, ...]:
+        """Part as a shop makes it: both gears by themselves where they are cut apart; the lower one has the collar.
+
+        Each gear has its own frame, with its lower face at 0.
+        """
+        blank = self.blank
+        if not (isinstance(blank, CutBlank) and blank.apart and len(self.gears) == 2):
+            return (self,)
+        plain = CutBlank(bore_diameter=blank.bore_diameter, key=blank.key, apart=True)
+        names = (f"{self.shaft}_wheel", f"{self.shaft}_pinion")
+        of_both = zip(names, names[::-1], self.gears, self.stages, (blank, plain), self.starts, strict=True)
+        return tuple(
+            replace(
+                self,
+                name=name,
+                joined_to=other,
+                gears=(gear,),
+                stages=(stage,),
+                blank=own,
+                body=gear_body(gear, own),
+                height=self.height + start,
+            )
+            for name, other, gear, stage, own, start in of_both
+        )
 
     @property
     def beside(self) -> bool:
@@ -158,7 +187,7 @@ class TrainPart:
         return np.array([[c, -s * f, 0.0, self.axis.real], [s, c * f, 0.0, self.axis.imag], [0.0, 0.0, f, self.height]])
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class TrainLayout:
     """A train whose teeth are thinned as they will be cut, and its parts, one per shaft from drive to output.
 
@@ -168,6 +197,11 @@ class TrainLayout:
     train: Train
     parts: tuple[TrainPart, ...]
     directions: tuple[float, ...]
+
+    @cached_property
+    def pieces(self) -> TrainLayout:
+        """Layout of the parts as a shop makes them: gears that are cut apart are parts by themselves."""
+        return replace(self, parts=tuple(piece for part in self.parts for piece in part.pieces))
 
     @property
     def on_shafts(self) -> tuple[TrainPart, ...]:
@@ -413,7 +447,7 @@ def _stacked(train: Train, blanks: Sequence[Blank], clearance: float) -> tuple[l
         above, below = before.stands_out[1], after.stands_out[0]
         length = collar_length(clearance) + max(above, 0.0) + max(below, 0.0)
         given = blanks[shaft - 1]
-        if isinstance(given, CutBlank):
+        if isinstance(given, CutBlank) and given.tool and not given.apart:
             length = max(length, given.tool.between(lower, upper))
         blank = _made(shaft, Message("intermediate"), with_collar, given, lower, upper, length, clearance)
         body = _made(shaft, Message("intermediate"), cluster_body, lower, upper, blank)

@@ -99,13 +99,16 @@ class Tool:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CutBlank(Blank):
-    """Blank of gears whose tool is stated: where no collar is, one between two gears leaves room for the tool.
+    """Blank of gears of which it is stated how they are cut.
 
     Attributes:
-        tool: how the teeth are cut.
+        tool: how the teeth are cut: where no collar is stated, one between two gears leaves room for it. None where the
+            design does not say.
+        apart: whether two gears on a shaft are cut as two parts and joined.
     """
 
-    tool: Tool
+    tool: Tool | None = None
+    apart: bool = False
 
 
 def usual_hob(module: float) -> float:

@@ -244,7 +244,8 @@ def _remark(assembly: CarAssembly, part: CarPart) -> str:
             )
         joint = plan.making.fit.joint
     elif part.code.startswith("gear-"):
-        gear = assembly.train.layout.on_shafts[part.shaft - 1]
+        pieces = assembly.train.layout.pieces.on_shafts
+        gear = next(each for each in pieces if part.code == f"gear-{each.name}".replace("_", "-"))
         said = []
         if gear.blank.hub is not None and gear.blank.hub.length and len(gear.gears) == 1:
             said.append(Message("hub to the {side}", side=right if gear.flipped else left))
@@ -258,6 +259,8 @@ def _remark(assembly: CarAssembly, part: CarPart) -> str:
             said.append(Message("set screw"))
         elif joint not in TIGHT:
             said.append(Message("a drop of adhesive against sliding"))
+        if gear.joined_to:
+            said.append(Message("with the gear beside it, angle between the teeth free"))
     else:
         return part.how
     if joint is not None:

@@ -293,7 +293,8 @@ class _Parts:
     def gears(self) -> Iterator[CarPart]:
         """Gears, one part on each shaft, and planets beside them."""
         shafts = len(self.groups)
-        for number, turning in enumerate((*self.turning.parts, *self.turning.beside), 1):
+        turnings = (*self.turning.parts, *self.turning.beside)
+        for number, turning in ((number, piece) for number, each in enumerate(turnings, 1) for piece in each.pieces):
             part = turning.part
             stated = self.making.shaft(part.shaft, shafts).material
             material, density, assumed = known_material(stated, DiscMaterial.STEEL)

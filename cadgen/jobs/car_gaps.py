@@ -86,7 +86,9 @@ def _on_shafts(assembly: CarAssembly) -> Iterator[_Round]:
         for place, (disc, of_train) in enumerate(bodies):
             code = named.get(disc.name)
             if place < len(gears[number]):
-                code = f"gear-{parts[number].name}".replace("_", "-")
+                own = parts[number].pieces
+                # Of gears that are cut apart the upper one follows the lower, and the collar of this comes last.
+                code = f"gear-{own[place if place < len(own) else 0].name}".replace("_", "-")
             elif of_train:
                 code = f"shaft-{number + 1}"
             elif code is None:

@@ -351,7 +351,7 @@ _PART_ENDINGS = (".step", ".stl", "_outline.dxf", "_1_outline.dxf", "_2_outline.
 
 def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingSheet]]:
     """Stem of the files that a sheet stands for, and the sheet: of each part, then of the plate."""
-    layout, origin = plan.layout, plan.origin
+    layout, origin = plan.layout.pieces, plan.origin
     every = gear_figures(layout)
     first: dict[tuple[int, int], int] = {}
     for part in layout.parts:
@@ -378,7 +378,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
         of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined([_kind_of(gear) for gear in part.gears], " and ")
-        made = plan.making.shaft(part.shaft, len(layout.on_shafts))
+        made = plan.making.shaft(part.shaft, len(plan.layout.on_shafts))
         place = Message("Shaft {shaft} of the train, counted from the drive.", shaft=part.shaft)
         fit = made.fit
         if part.figures == PLANET and part.stages[0] in plan.making.pins:
@@ -713,7 +713,7 @@ def _outlines(parts: Parts, folder: Folder, staging: Path, omitted: dict[str, st
             else:
                 yield from result
     if parts.train is not None:
-        for part in parts.train.layout.parts:
+        for part in parts.train.layout.pieces.parts:
             stem = f"{parts.train.stem}_{part.name}"
             drawn = gear_outlines(staging, part, stem, "_outline", drilled=False)
             yield from (replace(each, readings=()) for each in drawn)

@@ -10,13 +10,14 @@ from cadgen.check import CheckCode
 from cadgen.design.load import load_design, train_of
 from cadgen.errors import DesignError
 from cadgen.gears.choices import ToothCutting
-from cadgen.gears.cutting import Made, blocked, cutting_checks, cutting_notes, sheet_notes
+from cadgen.gears.cutting import Made, blocked, cutting_checks, cutting_notes
 from cadgen.gears.layout import Blanks, TrainPart, lay_out
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.spur import SpurPair
 from cadgen.gears.tools import Tool, usual_hob
 from cadgen.gears.tooth import GearForm
 from cadgen.gears.train import Train, thinned
+from cadgen.geometry.meshes.mesh import body_mesh
 from cadgen.jobs.drawings import Folder, sheets_of
 from cadgen.jobs.gears.gear_train import GearTrain, plan_gears
 from cadgen.parts.blank import Blank
@@ -73,17 +74,58 @@ def test_a_gear_is_blocked_where_the_other_stands_over_its_roots(lower: int, upp
     assert all(each.beside == pytest.approx(other[each.number] + 2.0, abs=0.5) for each in found)
 
 
-def test_a_shaft_with_one_gear_or_with_gears_cut_apart_needs_no_room() -> None:
-    parts = _cluster(60, 20, 1.0)
-    assert not list(blocked(parts[0]))
-    apart = [
-        Made("drive"),
-        Made("intermediate", cutting=ToothCutting.HOBBED, apart=True, joined="glued"),
-        Made("output"),
-    ]
-    assert cutting_checks(parts, apart) == ()
-    assert cutting_notes(parts, [Made(each.place, apart=each.apart) for each in apart]) == ()
-    assert list(sheet_notes(parts[1], apart[1])) == ["Teeth: hobbed.", "Lower and upper gear: cut apart, then glued."]
+def test_a_shaft_with_one_gear_needs_no_room() -> None:
+    assert not list(blocked(_cluster(60, 20, 1.0)[0]))
+
+
+APART = '[train.intermediate]\nbore_diameter_mm = 5.0\njoint = "glued"\ncut_apart = true\n'
+HELICAL = "helix_angle_deg = 15.0"
+WEBBED = """hub = { diameter_mm = 12.0, length_mm = 6.0, set_screw_mm = 2.5 }
+web = { thickness_mm = 3.0, rim_mm = 3.0 }
+lightening = { holes = 4, hole_diameter_mm = 6.0 }
+keyway = { width_mm = 1.5, depth_mm = 1.0 }
+"""
+
+
+@pytest.mark.parametrize(("keys", "features"), [("", ""), (HELICAL, ""), ("", WEBBED)])
+def test_gears_that_are_cut_apart_are_two_bodies_that_make_up_the_part(keys: str, features: str) -> None:
+    """Their meshes are closed, do not overlap, and fill the part where they are joined."""
+    plan = planned(TWO, keys, APART + features)
+    (part,) = (each for each in plan.layout.parts if each.name == "2_cluster")
+    pieces = [each for each in plan.layout.pieces.parts if each.joined_to]
+    assert [(each.name, each.joined_to) for each in pieces] == [("2_wheel", "2_pinion"), ("2_pinion", "2_wheel")]
+    assert [each.stages for each in pieces] == [(1,), (2,)]
+    assert sum(each.volume for each in pieces) == pytest.approx(part.volume, rel=1e-12)
+    # The lower one has the collar; the upper one is as long as its teeth.
+    lengths = [each.body.slabs[-1].end for each in pieces]
+    collar = 6.0 if features else 1.0
+    assert lengths == pytest.approx([8.0 + collar, 8.0])
+    whole, *solids = (body_mesh(each.body, 0.01).solid().transform(each.transform) for each in (part, *pieces))
+    assert all(len(each.decompose()) == 1 for each in solids)
+    assert (solids[0] ^ solids[1]).volume() < 1e-6
+    rest = (whole - solids[0] - solids[1]).volume() + ((solids[0] + solids[1]) - whole).volume()
+    assert rest < 2e-4 * part.volume
+    for each, solid in zip(pieces, solids, strict=True):
+        assert solid.volume() == pytest.approx(each.volume, rel=1e-3)
+
+
+@pytest.mark.slow
+def test_gears_that_are_cut_apart_can_be_ordered_from_their_files_and_sheets(tmp_path: Path) -> None:
+    plan = planned(TWO, 'cutting = "wire"', APART)
+    assert plan.passed
+    written = {each.name.removeprefix(plan.stem) for each in plan.write(tmp_path, "step,stl,3mf,dxf,csv")}
+    for name in ("2_wheel", "2_pinion"):
+        assert {f"_{name}.step", f"_{name}.stl", f"_{name}.3mf", f"_{name}.dxf"} <= written
+    assert not any("cluster" in name for name in written)
+    rows = (tmp_path / f"{plan.stem}_parts.csv").read_text("utf-8").splitlines()
+    assert [row.split(",")[0] for row in rows[1:]] == ["1_pinion", "2_wheel", "2_pinion", "3_wheel"]
+    sheets = {stem.removeprefix(plan.stem): sheet for stem, sheet in sheets_of(plan, Folder({}, "2026-01-01"))}
+    lower, upper = sheets["_2_wheel"], sheets["_2_pinion"]
+    assert (lower.dimensions["hub length"], lower.dimensions["length"], lower.title.quantity) == (1.0, 9.0, 1)
+    assert "hub length" not in upper.dimensions
+    joined = "on the same shaft, glued. Angle between the teeth of both: free."
+    assert f"On its collar stands 2_pinion, {joined}" in lower.notes
+    assert f"Stands on the collar of 2_wheel, {joined}" in upper.notes
 
 
 @pytest.mark.parametrize(

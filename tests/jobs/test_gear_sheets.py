@@ -509,5 +509,5 @@ def test_pins_that_nothing_holds_are_told_on_the_sheet_of_their_carrier(carrier,
     plan = plan_gears(train_of(fits, tmp_path / "train.toml"))
     drawn = {stem.removeprefix(f"{plan.stem}_"): sheet for stem, sheet in sheets_of(plan, NOWHERE)}
     assert [stem for stem, sheet in drawn.items() if any("hold them axially" in note for note in sheet.notes)] == (
-        ["2_wheel"] if told else []
+        ["2_carrier"] if told else []
     )

@@ -25,7 +25,7 @@ from cadgen.output.files.tables import train_table
 
 @pytest.fixture(scope="module")
 def plan():
-    return plan_gears(load_design())
+    return plan_gears(load_design(None, ["train.intermediate.cut_apart=", "train.cutting="]))
 
 
 def assembled(plan, **wrong):

@@ -10,7 +10,9 @@ over the middle of the play, measured in that sense, and j the play of the stage
 The drive stands ahead by as much as makes the lead of the output 0 at u = 0.
 """
 
-from dataclasses import dataclass
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
 from math import pi, prod, sqrt
 from typing import NamedTuple
 
@@ -65,6 +67,11 @@ class TurningPart:
             share: share of the play that the cam has run ahead, 0 to 1.
         """
         return self.angle + self.rate * motor + self.lead * share
+
+    @property
+    def pieces(self) -> tuple[TurningPart, ...]:
+        """Part as a shop makes it: its gears by themselves where they are cut apart."""
+        return tuple(replace(self, part=piece) for piece in self.part.pieces)
 
     @property
     def stand(self) -> Stand:

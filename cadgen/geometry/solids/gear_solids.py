@@ -183,7 +183,7 @@ def _drilled(sides: list[TopoDS_Shape], ends: list[TopoDS_Shape], hole: RadialHo
 
 # Hue of the first part, in turns; the next ones follow by the golden section, so that no two parts are alike.
 FIRST_HUE, HUE_STEP = 0.58, (sqrt(5) - 1) / 2
-SATURATION, BRIGHTNESS = 0.35, 0.75
+SATURATION, BRIGHTNESS, LIGHTER = 0.35, 0.75, 0.85
 
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
@@ -208,7 +208,7 @@ def train_parts(layout: TrainLayout, name: str, description: str) -> tuple[Solid
             solid=body_solid(part.body),
             name=part_name(name, part),
             description=description,
-            colour=colour_of_shaft(part.shaft),
+            colour=colour_of_shaft(part.shaft, upper=bool(part.joined_to) and part.blank.hub is None),
         )
         for part in layout.parts
     )
@@ -219,9 +219,9 @@ def part_name(train: str, part: TrainPart) -> str:
     return f"{train}_{part.name}"
 
 
-def colour_of_shaft(shaft: int) -> tuple[float, float, float]:
-    """Red, green and blue of the part on a shaft, counted from 1."""
-    return hsv_to_rgb((FIRST_HUE + HUE_STEP * (shaft - 1)) % 1.0, SATURATION, BRIGHTNESS)
+def colour_of_shaft(shaft: int, *, upper: bool = False) -> tuple[float, float, float]:
+    """Red, green and blue of the part on a shaft, counted from 1; lighter for the upper one of two parts on it."""
+    return hsv_to_rgb((FIRST_HUE + HUE_STEP * (shaft - 1)) % 1.0, SATURATION, LIGHTER if upper else BRIGHTNESS)
 
 
 def assembly_bytes(parts: Sequence[SolidPart], layout: TrainLayout, name: str, description: str) -> bytes:

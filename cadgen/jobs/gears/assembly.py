@@ -146,14 +146,14 @@ class Assembly(Pictured, Viewed, ABC):
     @property
     def export(self) -> TrainExport:
         """Train as the writers of all formats take it."""
-        parts = self.computed.layout.parts
+        layout = self.computed.layout.pieces
         return TrainExport(
             stem=self.stem,
             description=self.description,
-            layout=self.computed.layout,
+            layout=layout,
             passed=self.passed,
-            chords=[self.chord(part.gears) for part in parts],
-            table=table_of(self.computed.layout),
+            chords=[self.chord(part.gears) for part in layout.parts],
+            table=table_of(layout),
             printing=self.printing,
         )
 
@@ -165,7 +165,7 @@ class Assembly(Pictured, Viewed, ABC):
         """
         from cadgen.geometry.solids.gear_solids import train_compound, train_parts
 
-        layout = self.computed.layout
+        layout = self.computed.layout.pieces
         return train_compound(train_parts(layout, self.stem, self.description), layout, f"{self.stem}_train")
 
     def write(

@@ -71,7 +71,7 @@ class GearTrain(Assembly):
         origin: design that the train was planned from.
         title: texts of the design's title blocks; None where it has none.
         making: what the drawings say of its parts and of the plates besides their shapes.
-        makings: how the teeth of each part are made.
+        makings: how the teeth of each part are made; of gears that are cut apart, of each by itself.
         mesh_chord: greatest chord error of the parts' meshes that the design gives, mm; None where it gives none.
         compensation: what files for printing take back; None where the design does not say.
         friction: friction coefficient of the flanks and its source; None where the design has none.
@@ -252,7 +252,7 @@ class GearTrain(Assembly):
                     for departure in self.departures
                 ],
                 checks=checks_facts(self.checks),
-                parts=parts_facts(self.layout),
+                parts=parts_facts(self.layout.pieces),
             )
             | (Facts() if self.car is None else Facts(car_layout=self.car.entry()))
         )
@@ -295,7 +295,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     friction = None if keys.friction_coefficient is None else (keys.friction_coefficient, keys.friction_source or "")
     whole = WholePlay(teeth=made.play, loose=gear_model.loose(design, made.play.train))
     car = laid_out(design, made.play.train)
-    sense, makings = None, gear_model.makings(design, made.layout.parts)
+    sense, makings = None, gear_model.makings(design, made.layout.pieces.parts)
     if car is None:
         sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
@@ -320,7 +320,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         notes=(
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
-            *cutting_notes(made.layout.parts, makings),
+            *cutting_notes(made.layout.pieces.parts, makings),
             *([] if friction is None else [losses_note(made.layout.train, *friction)]),
             *([whole.sentence()] if whole.loose else []),
             *(_notes(design, designed, limits) if limits else ()),
@@ -448,7 +448,7 @@ def _make(design: TrainDesign, play: TrainPlay) -> MadeTrain:
         gear_model.train_keys(design).clearance_mm,
         lambda gears: gear_model.mesh_chord(design, gears),
     )
-    parts = made.layout.parts
+    parts = made.layout.pieces.parts
     made = replace(made, checks=(*made.checks, *cutting_checks(parts, gear_model.makings(design, parts))))
     if layout is None:
         return made

@@ -820,6 +820,8 @@ def _lengths(part: TrainPart, low: float, high: float, scale: float, screw: Scre
     if screw:
         yield screw.height(first, (first, -reach - row * gap), scale, beside=-1.0)
         row += 0.9
+    if blank.web and blank.hub and scale * blank.hub.length < SHORT:  # its number stands beside it, as the web's does
+        row += 0.9
     if high - low > first:
         yield along_axis("length", (low, high), -reach, -reach - (row + 0.9) * gap)
     if blank.hub and blank.hub.length:

@@ -233,7 +233,9 @@ def train_scene(gears: GearTrain) -> Scene:
         car=None,
         shafts=(*shafts, *_planets(train)),
         parts=tuple(parts),
-        wheels=tuple(WheelShape(number + 1, *_rings(turning[number].part), parts[number].label) for number in order),
+        wheels=tuple(
+            WheelShape(number + 1, *_rings(turning[number].part), _label(turning[number].part)) for number in order
+        ),
         drive=len(train.parts),
     )
 
@@ -606,7 +608,7 @@ def _parts(plan: CamPlan | None, train: TurningTrain | None, notes: list[str]) -
     meshes: list[Mesh | None] = []
     for chord in _CHORDS:
         disc = None if plan is None else _disc(plan, chord, notes)
-        meshes = [disc, *(stood(part.stand, chord) for part in turning)]
+        meshes = [disc, *(stood(piece.stand, chord) for part in turning for piece in part.pieces)]
         if sum(len(mesh.triangles) for mesh in meshes if mesh is not None) <= MOST_TRIANGLES:
             break
     coarse = None if plan is None else _disc(plan, _COARSE, notes)
@@ -617,17 +619,19 @@ def _parts(plan: CamPlan | None, train: TurningTrain | None, notes: list[str]) -
         raised = [Mesh(mesh.vertices + up, mesh.triangles) for mesh in made if mesh is not None]
         if len(raised) == len(made):
             parts.append(ScenePart("second-cam", Message("second cam"), raised[0], raised[1], 0, Colour.PINION))
-    for number, part in enumerate(turning, 1):
-        train_part = part.part
-        teeth = " + ".join(str(wheel.teeth) for wheel in train_part.gears if hasattr(wheel, "teeth"))
-        label = Message("shaft {number}", number=train_part.shaft)
-        if train_part.beside:
-            name = train_part.name.partition("_")[2]
-            label = Message("stage {number}: {name}", number=train_part.stages[0], name=name)
-        elif teeth:
-            label = Message("shaft {number} ({teeth})", number=train_part.shaft, teeth=teeth)
-        parts.append(_gear(train_part.name, label, number, part.stand, chord))
+    for number, piece in ((number, piece) for number, part in enumerate(turning, 1) for piece in part.pieces):
+        parts.append(_gear(piece.part.name, _label(piece.part), number, piece.stand, chord))
     return parts
+
+
+def _label(part: TrainPart) -> Message:
+    """Name of a part of a train for people: its shaft with its teeth, or its stage."""
+    if part.beside:
+        return Message("stage {number}: {name}", number=part.stages[0], name=part.name.partition("_")[2])
+    teeth = " + ".join(str(wheel.teeth) for wheel in part.gears if hasattr(wheel, "teeth"))
+    if teeth:
+        return Message("shaft {number} ({teeth})", number=part.shaft, teeth=teeth)
+    return Message("shaft {number}", number=part.shaft)
 
 
 @lru_cache(maxsize=64)  # the gears of a design whose path is edited stay as they are, normals and edges included

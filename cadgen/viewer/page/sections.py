@@ -61,7 +61,7 @@ def train_sections(train: GearTrain) -> tuple[Section, ...]:
     """Checks, play, inspection sheet and parts of a train without a cam."""
     lead = Message("Each figure with its limit. A figure without a limit is shown and not judged.")
     size = Message("Sizes to measure the parts by; write what you measure into the empty cells.")
-    sizes, rows = _gear_sizes(train.layout), tuple(_gear_rows(train.layout))
+    sizes, rows = _gear_sizes(train.layout.pieces), tuple(_gear_rows(train.layout.pieces))
     parts = Sheet("parts", Message("Parts"), _part_heads(), rows, words=2)
     return (
         Section("checks", Message("Checks"), (lead,), (_checks("gear-checks", Message("Gears"), train.checks),)),
@@ -313,7 +313,7 @@ def _inspection(cam: CamPlan, train: GearTrain | None) -> Section:
     """Figures to measure the cam and the gears by, with room for what is measured."""
     # A groove has no outline to be measured: its sizes are in the parts list and the checks.
     tables = [*([] if cam.groove is not None else map(_cam_sizes, cam.discs)), _lift_table(cam)]
-    if train is not None and (gears := _gear_sizes(train.layout)) is not None:
+    if train is not None and (gears := _gear_sizes(train.layout.pieces)) is not None:
         tables.append(gears)
     return Section(
         "inspection",
@@ -455,7 +455,7 @@ def _parts(cam: CamPlan, train: GearTrain | None) -> Section:
         for disc in cam.discs
     ]
     if train is not None:
-        rows += [(*row, *(() if mass is None else (number(None),))) for row in _gear_rows(train.layout)]
+        rows += [(*row, *(() if mass is None else (number(None),))) for row in _gear_rows(train.layout.pieces)]
     heads = _part_heads(gears=gears, mass=mass is not None)
     tables = [Sheet("parts", Message("Parts"), heads, tuple(rows), words=2)]
     if train is not None:
