@@ -180,6 +180,7 @@ def not_stated(text: DrawingText | None, cam: CamPlan | None, train: GearTrain |
 _CAM_ENDINGS = ("_spline.dxf", "_arcs.dxf", ".step", ".nc")  # of the files that a sheet names
 _ARCS_WITHIN = 1e-3  # mm, of the outline on the sheet
 _DENSE = 3600  # angles at which points of the outline are sought: what the sheet says has one digit
+_OF_A_FLANK = 8  # turning points of each flank of a groove on the sheet
 _RUNS = 3  # of the inspection, which tells noise from what repeats
 _ACROSS_AT = _DENSE * 215 // 360  # angle at which the width of a groove is dimensioned
 _STEP = 5  # degrees between its readings
@@ -207,7 +208,7 @@ def sheet_of(plan: CamPlan, folder: Folder, other: CamPlan | None = None) -> Dra
         radii=plan.curve.radius(angles),
         greatest=(float(radii[most]), float(dense[most])),
         least=(float(radii[least]), float(dense[least])),
-        turns=outline_turns(radii, jet.curvature),
+        turns=outline_turns(radii, jet.curvature, *([_OF_A_FLANK] if plan.groove else [])),
         blank=plan.made_blank,
         thickness=plan.thickness,
         fit=making.fit,
@@ -268,7 +269,8 @@ def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
     """
     dense = np.linspace(0.0, TURN, _DENSE, endpoint=False)
     outer = groove.outer.curve
-    radii = outer.radius(dense)
+    jet, _ = outer.at_angle(dense)
+    radii = np.hypot(*jet.point.T)
     inner = plan.curve.radius(dense)[:, None] * np.column_stack([np.cos(dense), np.sin(dense)])
     normal = np.gradient(np.vstack([inner[-1:], inner, inner[:1]]), axis=0)[1:-1] @ np.array([[0.0, -1.0], [1.0, 0.0]])
     normal /= np.linalg.norm(normal, axis=1)[:, None]
@@ -277,7 +279,7 @@ def _groove(plan: CamPlan, groove: Groove, angles: Array) -> SheetGroove:
     return SheetGroove(
         outer=arcs(outer, _ARCS_WITHIN),
         radii=outer.radius(angles),
-        greatest=(float(radii.max()), float(dense[radii.argmax()])),
+        turns=outline_turns(radii, jet.curvature, _OF_A_FLANK),
         path=np.vstack([inner + half * normal, inner[:1] + half * normal[:1]]),
         across=across,
         outside_radius=groove.outside_radius,

@@ -91,7 +91,7 @@ class SheetGroove:
     Attributes:
         outer: outer flank as lines and arcs, mm.
         radii: distance of the exact outer flank from the axis at the angles of the table, mm.
-        greatest: greatest radius of the outer flank, and its polar angle: mm, rad.
+        turns: points where the outer flank turns.
         path: path of the roller's centre, shape (n, 2), mm.
         across: points of the inner and the outer flank that are nearest to each other, mm, shape (2, 2).
         outside_radius: radius of the disc, mm.
@@ -100,7 +100,7 @@ class SheetGroove:
 
     outer: Contour
     radii: Array
-    greatest: tuple[float, float]
+    turns: tuple[OutlineTurn, ...]
     path: Array
     across: Array
     outside_radius: float
@@ -533,7 +533,7 @@ def _face_dimensions(cam: CamPart, scale: float) -> list[Dimension]:
         way = outer - inner
         dimensions += [
             DiameterDimension(
-                name="outside", centre=(0.0, 0.0), diameter=2 * cam.groove.outside_radius, angle=aside + 90.0
+                name="outside", centre=(0.0, 0.0), diameter=2 * cam.groove.outside_radius, angle=aside + 115.0
             ),
             LinearDimension(
                 name="groove width",
@@ -611,7 +611,8 @@ def _section(cam: CamPart, place: tuple[float, float], scale: float) -> View:
     dimensions: list[Dimension] = [thick]
     if other:
         apart = along_axis("gap between the discs", (min(near, face), max(near, face)), top, over + 1.7 * gap)
-        room = TEXT * WIDEST * len(rounded(other.gap))
+        apart = replace(apart, prefix="(", suffix=")")  # auxiliary: not of this part, but of how it is set
+        room = TEXT * WIDEST * len(f"({rounded(other.gap)})")
         narrow = scale * other.gap < room + 6.0
         dimensions.append(replace(apart, beside=scale * other.gap / 2 + TAIL + room / 2 + 1.0 if narrow else 0.0))
     if leg := blank.edge_break:
@@ -751,31 +752,45 @@ def _radii(cam: CamPart, at: tuple[float, float]) -> tuple[SheetTable, ...]:
     third = ceil(len(cells) / 3)
     return tuple(
         SheetTable(
-            title=_exact(cam, Message("outline about the axis")) if number == 0 else "",
+            title=Message("outline about the axis") if number == 0 else "",
             at=(at[0] + number * _COLUMN, at[1]),
             widths=(13.0, 17.0),
             rows=(head, *cells[number * third : (number + 1) * third]),
+            exact=_exact(cam, len(cells[number * third : (number + 1) * third]), (0, 1)),
         )
         for number in range(3)
     )
 
 
-def _exact(cam: CamPart, title: Message) -> Message:
-    """Title of a table of radii, which a frame of their outline makes theoretically exact."""
-    return title if cam.profile_tolerance is None else Message("{table}: theoretically exact", table=title)
+def _exact(cam: CamPart, rows: int, columns: Sequence[int]) -> frozenset[tuple[int, int]]:
+    """Cells of a table under its head that the frame of the outline makes theoretically exact; none without it."""
+    if cam.profile_tolerance is None:
+        return frozenset()
+    return frozenset((row, column) for row in range(1, rows + 1) for column in columns)
 
 
 def _turns(cam: CamPart, at: tuple[float, float]) -> SheetTable:
     """Points where the outline turns, between the rows of the table of radii too."""
-    title, rows = Message("turning points; ρ: radius of curvature"), list[tuple[str, ...]]()
+    named = [(turn.word, turn) for turn in cam.turns]
     if cam.groove is not None:
-        title = Message("turning points of the inner flank; ρ: radius of curvature")
-        radius, angle = cam.groove.greatest
-        rows.append((Message("outer, greatest"), rounded(degrees(angle) % 360, 1), f"{radius:.3f}", ""))
-    for turn in cam.turns:
-        bend = rounded(turn.bend, 1) if turn.bend < _STRAIGHT else "∞"
-        rows.append((turn.word, rounded(degrees(turn.angle), 1), f"{turn.radius:.3f}", bend))
-    return SheetTable(title=title, at=at, widths=(38.0, 13.0, 17.0, 15.0), rows=(("", "θ, °", "R, mm", "ρ, mm"), *rows))
+        named = [(Message("inner: {point}", point=word), turn) for word, turn in named]
+        named += [(Message("outer: {point}", point=turn.word), turn) for turn in cam.groove.turns]
+    rows = [
+        (
+            word,
+            rounded(degrees(turn.angle), 1),
+            f"{turn.radius:.3f}",
+            rounded(turn.bend, 1) if turn.bend < _STRAIGHT else "∞",
+        )
+        for word, turn in named
+    ]
+    return SheetTable(
+        title=Message("turning points; ρ: radius of curvature"),
+        at=at,
+        widths=(38.0, 13.0, 17.0, 15.0),
+        rows=(("", "θ, °", "R, mm", "ρ, mm"), *rows),
+        exact=_exact(cam, len(rows), (1, 2)),
+    )
 
 
 def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> tuple[SheetTable, ...]:
@@ -788,10 +803,11 @@ def _flank_radii(cam: CamPart, groove: SheetGroove, at: tuple[float, float]) -> 
     half = ceil(len(cells) / 2)
     return tuple(
         SheetTable(
-            title=_exact(cam, Message("flanks of the groove")) if number == 0 else "",
+            title=Message("flanks of the groove") if number == 0 else "",
             at=(at[0] + number * _TABLES / 2, at[1]),
             widths=(11.0, 17.0, 17.0),
             rows=(head, *cells[number * half : (number + 1) * half]),
+            exact=_exact(cam, len(cells[number * half : (number + 1) * half]), (0, 1, 2)),
         )
         for number in range(2)
     )

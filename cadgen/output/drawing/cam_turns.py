@@ -17,7 +17,8 @@ _MOST = 16  # points on a sheet
 _SHARP = 2.0  # times as curved as a circle about the axis is a bend
 _NEAR, _LEAST = 5.0, 3.0  # degrees within which one point of a kind stands, and the least arc about the axis
 _ONE = 1.0  # degrees within which points of two kinds are one
-_ARC = 1e-3  # of the curvature of a circle, within which an outline is an arc about the axis
+_ARC = 1e-6  # of the curvature of a circle, within which an outline is an arc about the axis
+_ENDS = 1e-11  # mm, within which a point beside an arc is its end, where the next law begins with another curvature
 _FLAT = 1e-3  # mm, within which radii are equal on a sheet
 
 
@@ -38,12 +39,13 @@ class OutlineTurn:
     bend: float
 
 
-def outline_turns(radii: Array, curvature: Array) -> tuple[OutlineTurn, ...]:
+def outline_turns(radii: Array, curvature: Array, points: int = _MOST) -> tuple[OutlineTurn, ...]:
     """Points where an outline turns, by their polar angles; of many, those that bend most and its extremes.
 
     Args:
         radii: distances of the outline from the axis in equal steps of the polar angle from 0, shape (n,), mm.
         curvature: its curvature there, positive where it is convex, shape (n,), mm^-1.
+        points: how many are kept.
     """
     step, count = 360.0 / len(radii), len(radii)
     most, least = int(radii.argmax()), int(radii.argmin())
@@ -51,7 +53,12 @@ def outline_turns(radii: Array, curvature: Array) -> tuple[OutlineTurn, ...]:
     for first, last in _arcs(radii, curvature, round(_LEAST / step)):
         places = np.arange(first, last + 1) % count
         inside[places], bends[places] = True, 1.0 / radii[places]
-        found |= {first: Message("arc from"), last % count: Message("arc to")}
+        words = Message("arc from"), Message("arc to")
+        if most in places:
+            words = Message("greatest, from"), Message("greatest, to")
+        elif least in places:
+            words = Message("least, from"), Message("least, to")
+        found |= dict(zip((first, last % count), words, strict=True))
     extremes = {least: Message("least"), most: Message("greatest")}
     found |= {place: word for place, word in extremes.items() if not inside[place]}
     for values, lift, word, counts in (
@@ -63,7 +70,7 @@ def outline_turns(radii: Array, curvature: Array) -> tuple[OutlineTurn, ...]:
             aside = [abs((place - other + count / 2) % count - count / 2) * step for other in found]
             if counts[place] and min(aside, default=_ONE) >= _ONE:
                 found[place] = word
-    kept = sorted(found, key=lambda place: (place not in extremes, -bends[place]))[:_MOST]
+    kept = sorted(found, key=lambda place: (place not in extremes, -bends[place]))[:points]
     return tuple(
         OutlineTurn(
             word=Message("{point}, hollow", point=found[place]) if curvature[place] < 0.0 else found[place],
@@ -86,6 +93,8 @@ def _arcs(radii: Array, curvature: Array, least: int) -> Iterator[tuple[int, int
     """First and last place of each arc about the axis; the last counts on beyond the turn."""
     count = len(radii)
     even = np.abs(curvature * radii - 1.0) < _ARC
+    level = np.abs(radii - np.roll(radii, 1)) < _ENDS
+    even |= (np.roll(even, 1) & level) | (np.roll(even, -1) & np.roll(level, -1))
     if even.all():
         return
     start = int(np.flatnonzero(~even)[0])

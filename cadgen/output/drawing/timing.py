@@ -35,6 +35,7 @@ _ROWS = 12  # most segments in the table
 _WIDTHS = (7.0, 27.0, 17.0, 40.0)  # of the columns of the table, mm
 _LEFT, _RIGHT, _BELOW, _ABOVE = 13.0, 6.0, 9.0, 9.0  # mm from the frame of the diagram to its axes
 _SAME = 1e-6  # of the range; levels nearer to each other are one
+_BESIDE_ARROW = 1.4  # mm on paper from the datum to the number of a short segment
 _APART = 3.2  # mm on paper between the numbers of two levels, at least
 
 
@@ -185,7 +186,9 @@ class TimingDiagram:
             if width_of(text) * HEIGHTS[-1] > room:
                 text = Message("{number}", number=number)
             if width_of(text) * HEIGHTS[-1] <= room:
-                labels.append(label(text, (x(each.start) + room / 2, high + 2.4)))
+                # Beside the arrow of the datum.
+                least = _BESIDE_ARROW + width_of(text) * HEIGHTS[-1] / 2
+                labels.append(label(text, (max(x(each.start) + room / 2, least), high + 2.4)))
         return View(place=(LEFT + _LEFT, EDGE + _BELOW), curves=tuple(curves), labels=tuple(labels))
 
     def table(self, at: tuple[float, float]) -> SheetTable | None:

@@ -34,11 +34,22 @@ def test_a_notch_between_two_rows_of_the_table_is_found():
     radii[inside], curvature[inside] = near, -1 / 3.0
     first, least, last = said(radii, curvature)
     assert least == ("least, hollow", pytest.approx(125.0), pytest.approx(17.0), pytest.approx(3.0))
-    assert (first[0], last[0]) == ("arc to", "arc from")
+    assert (first[0], last[0]) == ("greatest, to", "greatest, from")
     assert (first[1], last[1]) == (
         pytest.approx(125.0 - np.degrees(half), abs=0.11),
         pytest.approx(125.0 + np.degrees(half), abs=0.11),
     )
+
+
+def test_an_arc_ends_where_the_next_law_begins_whether_its_curvature_leaps_or_grows():
+    """Half a circle's arc from 90 to 135 degrees: before it a law of cosine, after it one of the third power."""
+    before, after = np.clip(np.radians(90.0) - ANGLES, 0.0, None), np.clip(ANGLES - np.radians(135.0), 0.0, None)
+    radii = 20.0 + 2.0 * (1.0 - np.cos(2.0 * before)) - 0.2 * after**3
+    slope = -4.0 * np.sin(2.0 * before) - 0.6 * after**2
+    bend = 8.0 * np.cos(2.0 * before) * (np.radians(90.0) >= ANGLES) - 1.2 * after
+    curvature = (radii**2 + 2 * slope**2 - radii * bend) / np.hypot(radii, slope) ** 3
+    found = [(word, angle) for word, angle, *_ in said(radii, curvature) if word.startswith("arc")]
+    assert found == [("arc from", pytest.approx(90.0)), ("arc to", pytest.approx(135.0))]
 
 
 def test_an_eccentric_disc_has_its_greatest_and_least_radius_alone():

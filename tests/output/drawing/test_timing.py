@@ -11,7 +11,7 @@ from cadgen import Design, DesignError
 from cadgen.jobs.drawings import Folder, sheet_of
 from cadgen.laws.table import codes, law_of
 from cadgen.messages import LANGUAGES, Message
-from cadgen.output.drawing.sheet import TEXT, LineKind, SheetTable, Stroke, have_room
+from cadgen.output.drawing.sheet import TEXT, TITLE_SIZE, LineKind, SheetTable, Stroke, have_room
 from cadgen.output.drawing.sheet_files import NoFontError, table_widths, text_length
 from cadgen.output.drawing.timing import TimingDiagram
 from tests.jobs.test_gear_sheets import apart, frame_boxes
@@ -53,6 +53,10 @@ def test_each_packaged_cam_has_its_diagram_and_room_for_its_words(name, tmp_path
         assert have_room(sheet.notes, sheet.columns)
         assert words(sheet).count("0°") == 2  # on the face, and at the diagram
         assert "turns" in words(sheet)
+        for label in diagram(sheet).labels:  # numbers of segments keep off the arrow of the datum
+            if label.text[0].isdigit() and not label.text.endswith("°") and label.at[0] >= 0.0:
+                over = label.at[1] * sheet.scale > TITLE_SIZE[1] - 18.0
+                assert not over or label.at[0] * sheet.scale > 1.4
         # The diagram stays beside the title block and its notes, within the frame.
         points = np.vstack([each.points for each in diagram(sheet).curves]) * sheet.scale + diagram(sheet).place
         assert points.min() > 10.0
@@ -145,12 +149,19 @@ def test_the_groove_has_both_flanks_width_depth_and_the_path_of_its_roller(tmp_p
     assert len(rows) == 36
     # A path r = a - b cos θ has the radius r² / (a - 2b) where r is least, and r² / (a + 2b) at the greatest.
     assert [row[:3] for row in sheet.tables[2].rows[1:]] == [
-        ("outer, greatest", "180", "111.150"),
-        ("least", "0", "41.250"),
-        ("greatest", "180", "92.050"),
+        ("inner: least", "0", "41.250"),
+        ("inner: greatest", "180", "92.050"),
+        ("outer: least", "0", "60.350"),
+        ("outer: greatest", "180", "111.150"),
     ]
-    bends = [float(row[3]) for row in sheet.tables[2].rows[2:]]
-    assert bends == pytest.approx([50.8**2 / 25.4 - 9.55, 101.6**2 / 127.0 - 9.55], abs=0.06)
+    bends = [float(row[3]) for row in sheet.tables[2].rows[1:]]
+    of_path = np.array([50.8**2 / 25.4, 101.6**2 / 127.0])
+    assert bends == pytest.approx([*(of_path - 9.55), *(of_path + 9.55)], abs=0.06)
+    # Titles stay over the tables, which end at the frame.
+    assert all(0.79 * TEXT * len(table.title) < 93.0 for table in sheet.tables)
+    lines = [each for each in sheet.views[0].dimensions if each.name in ("outside", "groove width")]
+    turned = [each.angle % 180.0 for each in lines]
+    assert 15.0 < abs(turned[0] - turned[1]) < 165.0  # the lines of both keep apart
     radii = {float(row[0]): (float(row[1]), float(row[2])) for row in rows}
     # Where the follower stands still, both flanks are at right angles to the ray.
     assert radii[0.0] == pytest.approx((50.8 - 9.55, 50.8 + 9.55), abs=1e-9)
@@ -196,6 +207,7 @@ def test_both_sheets_of_a_conjugate_pair_have_the_distance_of_the_discs(tmp_path
         (beside,) = [each for each in section.curves if getattr(each, "line", None) is LineKind.PHANTOM]
         near, far = sorted(beside.points[:2, 0], key=abs) if side < 0 else sorted(beside.points[:2, 0])
         face = disc.thickness if side > 0 else 0.0
+        assert (gap.prefix, gap.suffix) == ("(", ")")  # it is not of this disc
         assert [gap.end[0] - gap.start[0], side * (near - face), side * (far - near)] == pytest.approx(
             [12.0, 12.0, 10.0]
         )
