@@ -428,7 +428,9 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
     plate = plate_of(plan)
     zones = seat_zones([axis.shaft for axis in plate.holed], plan.layout.train)
     thickness = plate.thickness or _usual_thickness(plan)
-    yield stem, plate_drawing(plate, thickness, holes, tuple(_plate_notes(plan, thickness, bool(zones))), title, zones)
+    stages = enumerate(plan.layout.train.stages, 1)
+    deviations = {number: stage.distance_deviation for number, stage in stages if stage.distance_deviation}
+    yield stem, plate_drawing(plate, thickness, holes, tuple(_plate_notes(plan)), title, zones, deviations)
 
 
 def _kind_of(wheel: Wheel) -> str:
@@ -520,19 +522,10 @@ def _usual_thickness(plan: GearTrain) -> float:
     return max(widths or shafts) or _LEAST_THICKNESS
 
 
-def _plate_notes(plan: GearTrain, thickness: float, framed: bool) -> Iterator[str]:
-    """Sentences on the plate of a train.
-
-    Args:
-        plan: train.
-        thickness: thickness of its plates, mm.
-        framed: whether frames hold the places of its holes.
-    """
+def _plate_notes(plan: GearTrain) -> Iterator[str]:
+    """Sentences on the plate of a train."""
     yield Message("Seen along the axes from the output's end. Broken circles: tips of the gears, for room.")
-    if framed:
-        yield Message("Two to a machine, before and behind the gears.")
-    else:
-        yield Message("Two to a machine, before and behind the gears, {thickness:g} mm thick.", thickness=thickness)
+    yield Message("Two to a machine, before and behind the gears.")
     holes, bearings = plan.making.holes, plan.making.bearing_bores is not None
     if bearings:
         yield Message("Holes for the bearings, as the table has them.")
@@ -549,11 +542,9 @@ def _plate_notes(plan: GearTrain, thickness: float, framed: bool) -> Iterator[st
             last=len(plan.layout.parts),
             height=car.arrangement.height,
         )
-    if framed:
-        yield from span_notes(plan.layout.train)
-    elif notes := tuple(distance_notes(plan.layout.train)):
-        yield Message("Places of the axes: hold the distances below, not the general tolerance.")
-        yield from notes
+    if car is not None and car.design.frame is not None:
+        yield Message("The frame of this car has plates of its own: sheets of cadgen frame hold in place of this one.")
+    yield from span_notes(plan.layout.train)
 
 
 def span_notes(train: Train) -> Iterator[Message]:

@@ -363,6 +363,17 @@ def test_holes_of_a_plate_stand_in_zones_that_keep_the_distances_of_the_axes(she
     # Without a hole there is nothing to place, and no distance of 0 is "± 0".
     assert not frames(sheets["ring"]["plate"])
     assert not any("± 0 " in note for of in sheets.values() for note in of["plate"].notes)
+    # Places in frames are boxed; without frames the distance has its limits, and the thickness its sign.
+    assert plate.tables[0].exact == {(row, column) for row in (1, 2, 3) for column in (1, 2)}
+    of_ring = sheets["ring"]["plate"]
+    (apart_by,) = (each for each in of_ring.views[0].dimensions if each.name == "axes 1 and 2")
+    assert apart_by.suffix == f" ±{float(centre_distance_deviation(18.0, 7)):g}"
+    assert not of_ring.tables[0].exact
+    assert [label.text for label in of_ring.views[0].labels][-1].startswith("t = ")
+    assert [row[3] for row in of_ring.tables[0].rows[1:]] == ["5", "none"]  # the ring is on no shaft of its own
+    coaxial = sheets["planetary"]["plate"]
+    assert [row[:3] for row in coaxial.tables[0].rows[1:]] == [("1, 2", "0.000", "0.000")]
+    assert coaxial.tables[0].rows[1][3] == "6"  # the larger of both
 
 
 def test_tips_of_a_plate_leave_its_texts_free(sheets) -> None:

@@ -897,15 +897,18 @@ def _hole_sizes(holes: tuple[Loop, ...]) -> tuple[float, float]:
 
 _PLATE_GAP = 10.0  # mm on paper, likewise on the sheet of the plate
 _NUMBER = 4.0  # mm on paper from a hole to the middle of its shaft's number
+_OFF_CROSS = 6.0  # mm on paper from an axis without a hole to that, off the lines of its cross
 _WIDTHS = (14.0, 22.0, 22.0, 36.0)
 
 
-def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimension]:
+def _distances(first: Axis, second: Axis, gap: float, scale: float, suffix: str) -> Iterator[LinearDimension]:
     """Dimensions of the distance of two axes, at several distances from them on either side, mm on the part."""
     way = complex(second.x - first.x, second.y - first.y)
     for aside in (1.4, -1.4, 0.9, -0.9, 2.0, -2.0, 2.6, -2.6, 3.4, -3.4):
         middle = complex(first.x + second.x, first.y + second.y) / 2 + aside * gap * 1j * way / abs(way)
-        for beside in (0.0, 5.0, -5.0, 10.0, -10.0):
+        long, room = TEXT * WIDEST * len(f"{rounded(abs(way))}{suffix}"), scale * abs(way)
+        out = (room + long) / 2 + 1.0
+        for beside in (0.0, 5.0, -5.0, 10.0, -10.0) if room > long else (out, -out):
             yield LinearDimension(
                 name=f"axes {first.shaft} and {second.shaft}",
                 start=(first.x, first.y),
@@ -913,11 +916,27 @@ def _distances(first: Axis, second: Axis, gap: float) -> Iterator[LinearDimensio
                 at=(middle.real, middle.imag),
                 angle=degrees(atan2(way.imag, way.real)),
                 beside=beside,
+                suffix=suffix,
             )
 
 
+def _places(plate: Plate) -> Iterator[tuple[list[Axis], Axis]]:
+    """Axes at each place of a plate, by their shafts, and the one whose hole is made there."""
+    found: dict[tuple[float, float], list[Axis]] = {}
+    for axis in plate.axes:
+        found.setdefault((round(axis.x, 6), round(axis.y, 6)), []).append(axis)
+    for alike in found.values():
+        yield alike, next((axis for axis in alike if axis in plate.holed), alike[0])
+
+
 def plate_drawing(
-    plate: Plate, thickness: float, holes: str, notes: tuple[str, ...], title: Title, zones: Mapping[int, float]
+    plate: Plate,
+    thickness: float,
+    holes: str,
+    notes: tuple[str, ...],
+    title: Title,
+    zones: Mapping[int, float],
+    deviations: Mapping[int, float],
 ) -> DrawingSheet:
     """Sheet A4, or A3 where the plate is larger than A4 shows at 1:1.
 
@@ -928,23 +947,24 @@ def plate_drawing(
         notes: sentences for the shop.
         title: title block.
         zones: zones of the holes by their shafts, mm; none where the distances have no tolerance.
+        deviations: deviation of the distance from each shaft to the next, mm, where it has one.
     """
     axes, (left, low, right, high) = plate.axes, plate.sides
     table_width = sum(_WIDTHS)
     beside = (table_width + (90.0 if zones else 40.0), TITLE_SIZE[1] + 30.0)
     rows: list[tuple[str, ...]] = [(Message("shaft"), "x, mm", "y, mm", holes)]
-    for axis in axes:
-        hole = f"{axis.bore:g}{limited(axis.bore, axis.hole)}" if axis.bore else ""
-        rows.append((str(axis.shaft), f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
+    named = [(", ".join(str(each.shaft) for each in alike), axis) for alike, axis in _places(plate)]
+    for name, axis in named:
+        hole = f"{axis.bore:g}{limited(axis.bore, axis.hole)}" if axis.bore else Message("none")
+        rows.append((name, f"{axis.x:.3f}", f"{axis.y:.3f}", hole))
+    exact = frozenset(
+        (row, column) for row, (_, axis) in enumerate(named, 1) if axis.shaft in zones for column in (1, 2)
+    )
 
     def table_of(size: str) -> SheetTable:
         at = (SIZES[size][0] - EDGE - table_width, SIZES[size][1] - EDGE - 2.0)
-        title = (
-            Message("axes, from that of the drive: theoretically exact")
-            if zones
-            else Message("axes, from that of the drive")
-        )
-        return SheetTable(title=title, at=at, widths=_WIDTHS, rows=tuple(rows))
+        words = Message("axes, from that of the drive")
+        return SheetTable(title=words, at=at, widths=_WIDTHS, rows=tuple(rows), exact=exact)
 
     def columns_of(size: str) -> tuple[NoteColumn, ...]:
         return over_title([table_of(size)], table_width, title), beside_title(size)
@@ -982,12 +1002,19 @@ def plate_drawing(
     ]
     for dimension in dimensions:
         room.take(dimension)
-    labels = [room.label(str(axis.shaft), (axis.x, axis.y), scale * axis.bore / 2 + _NUMBER, 3.5) for axis in axes]
-    dimensions += [
-        replace(room.linear(_distances(first, second, gap)), exact=second.shaft in zones)
-        for first, second in pairwise(axes)
-        if (first.x, first.y) != (second.x, second.y)
-    ]
+    labels = []
+    for name, axis in named:
+        off, wider = max(scale * axis.bore / 2 + _NUMBER, _OFF_CROSS), 3.5 * (width_of(name) - WIDEST) / 2
+        labels.append(room.label(name, (axis.x, axis.y), off, 3.5, (wider, 0.0)))
+    for first, second in pairwise(axes):
+        if (first.x, first.y) != (second.x, second.y):
+            exact_one, off = second.shaft in zones, deviations.get(first.shaft, 0.0)
+            suffix = f" {limits(-off, off)}" if off and not exact_one else ""
+            placed = room.linear(_distances(first, second, gap, scale, suffix))
+            dimensions.append(replace(placed, exact=exact_one))
+    if not zones:  # else a view from the side has it
+        middle, half = ((left + right) / 2, (low + high) / 2), (scale * (right - left) / 2, scale * (high - low) / 2)
+        labels.append(room.within(f"t = {rounded(thickness)}", middle, _NUMBER, half))
     located = [axis for axis in plate.holed if axis.shaft in zones]
     seats = [(f"hole of shaft {each.shaft}", (each.x, each.y), each.bore, zones[each.shaft]) for each in located]
     symbols = tuple(hole_frames(seats, room))
