@@ -305,6 +305,13 @@ def test_titles_and_hands_are_in_chinese_too(sheets, tmp_path) -> None:
     assert rows["螺旋角，旋向"] == "15° 左旋"
 
 
+def test_the_name_of_a_cell_stands_clear_of_large_chinese_letters_under_it(sheets) -> None:
+    """Such letters reach 0.88 of their em up and 0.12 down, and an em is 1 / 0.73 of a capital's height."""
+    texts = document_of(sheets["ring"]["plate"], "zh").modelspace().query("TEXT")
+    name, part = (next(each.dxf for each in texts if each.dxf.text == text) for text in ("零件", "轴孔板"))
+    assert name.insert.y - part.insert.y > (0.88 * part.height + 0.12 * name.height) / 0.73
+
+
 def test_a_plate_keeps_its_dimensions_within_the_frame(sheets) -> None:
     """The number over the uppermost line is 3.1 mm high; an A4 ends 10 mm over its frame."""
     for name in TRAINS:
