@@ -16,7 +16,7 @@ from cadgen.figures import Facts
 from cadgen.gears.choices import HelixHand
 from cadgen.gears.layout import TrainPart
 from cadgen.gears.rack import RackForm, RackMesh
-from cadgen.gears.rack_stage import Bar
+from cadgen.gears.rack_stage import Bar, tolerances_of_rack
 from cadgen.gears.tooth import CHORD_PER_MODULE, STEEPEST_HELIX
 from cadgen.jobs.gears.assembly import OnePart
 from cadgen.output.files.exports import RackExport
@@ -81,6 +81,7 @@ class Rack(Stated, OnePart, Pictured):
         hand: hand of the helix, opposite to that of its pinion.
         thickness_deviation: deviation E_sn of the normal tooth thickness, mm, negative for thinner teeth.
         addendum, dedendum, root_radius: height of tips, depth and radius of roots, in modules.
+        grade: tolerance grade of ISO 1328-1, as of a gear of as many teeth, 3 to 12; None for none.
         name: name of the rack and its files.
 
     Raises:
@@ -105,6 +106,7 @@ class Rack(Stated, OnePart, Pictured):
     dedendum: float = 1.25
     root_radius: float = 0.38
     name: str = "rack"
+    grade: int | None = None
 
     def __post_init__(self) -> None:
         whole("teeth", self.teeth, 1, 1000)
@@ -117,6 +119,8 @@ class Rack(Stated, OnePart, Pictured):
         real("thickness_deviation", self.thickness_deviation, -10, 10, "mm")
         for name, most in (("addendum", 3), ("dedendum", 3), ("root_radius", 1)):
             real(name, getattr(self, name), 0, most, "modules", above=True)
+        if self.grade is not None:
+            whole("grade", self.grade, 3, 12)
         require_name(self.name)
         self.form  # noqa: B018
 
@@ -185,6 +189,7 @@ class Rack(Stated, OnePart, Pictured):
             root_depth_mm=form.dedendum_factor * form.normal_module,
             thickness_at_reference_mm=form.pitch * cos(form.helix_angle) / 2 + form.tooth_thickness_deviation,
             E_sn_um=form.tooth_thickness_deviation * 1e3,
+            **{f"{symbol}_um": value * 1e3 for symbol, value in tolerances_of_rack(form, self.grade).items()},
             volume_mm3=self.volume,
         )
 

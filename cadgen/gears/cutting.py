@@ -21,6 +21,9 @@ CUT = {
     ToothCutting.PRINTED: Message("printed or moulded"),
 }
 
+# Coarsest grade that of the three only a wire is taken to keep: by judgement, since no standard was at hand.
+_WIRE_ALONE = 9
+
 
 @dataclass(frozen=True, slots=True)
 class Made:
@@ -184,16 +187,20 @@ def _usual_tools(made: Made) -> tuple[Tool, Tool]:
     return Tool(ToothCutting.SHAPED), Tool(ToothCutting.HOBBED, made.cutter)
 
 
-def sheet_notes(part: TrainPart, made: Made) -> Iterator[Message]:
+def sheet_notes(part: TrainPart, made: Made, grade: int | None = None) -> Iterator[Message]:
     """Sentences for the sheet of a part: how its teeth are cut, and the room beyond those beside a larger gear.
 
     Args:
         part: part of a train.
         made: how it is made.
+        grade: finest tolerance grade of its teeth; None where none is stated.
     """
     how = made.cutting
     if how is not None and any(isinstance(gear, GearForm) for gear in part.gears):
-        yield Message("Teeth: {how}.", how=CUT[how])
+        if how == ToothCutting.WIRE and grade is not None and grade <= _WIRE_ALONE:
+            yield Message("Teeth: cut by wire; a laser or a jet does not keep grade {grade}.", grade=grade)
+        else:
+            yield Message("Teeth: {how}.", how=CUT[how])
     if part.joined_to:
         stands = Message("Stands on the collar of {other}", other=part.joined_to)
         if part.blank.hub:

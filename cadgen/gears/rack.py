@@ -279,6 +279,23 @@ class RackMesh:
     @property
     def contact_ratio(self) -> float:
         """Transverse contact ratio ε_α, as cut."""
+        start, end = self._contact
+        return max(end - start, 0.0)
+
+    @property
+    def pitches_touched(self) -> tuple[int, int]:
+        """Numbers of pitches whose errors close and open the play: greatest way between teeth touched on two flanks.
+
+        A flank of a tooth is touched while its middle is from a to b pitches off the pitch point, the other one from −b
+        to −a. Two teeth touched on two flanks are up to 2 max(|a|, |b|) apart. Where no tooth at times is touched on
+        both, 2 min(b, −a) < 1, a pinion's tooth between two of the rack may have a wider space.
+        """
+        start, end = (each + 0.25 for each in self._contact)  # a flank stands a quarter of a pitch off the middle
+        return int(2 * max(abs(start), abs(end))), int(2 * min(end, -start) < 1)
+
+    @property
+    def _contact(self) -> tuple[float, float]:
+        """Start and end of the contact from the pitch point, in pitches."""
         pinion, rack = self.pinion, self.rack
         alpha, base = pinion.transverse_pressure_angle, pinion.base_diameter / 2
         # Distances along the line of action from its foot on the base circle: of the rack's tip and flank end.
@@ -290,8 +307,9 @@ class RackMesh:
             sqrt(max((diameter / 2) ** 2 - base**2, 0.0))
             for diameter in (tooth_of(pinion).root_form_diameter, pinion.tip_form_diameter)
         )
-        path = min(outer, ends[1]) - max(form, ends[0], 0.0)
-        return max(path, 0.0) / (rack.pitch * cos(alpha))
+        foot = base * tan(alpha)
+        start, end = max(form, ends[0], 0.0), min(outer, ends[1])
+        return (start - foot) / (rack.pitch * cos(alpha)), (end - foot) / (rack.pitch * cos(alpha))
 
     @property
     def travel(self) -> float:

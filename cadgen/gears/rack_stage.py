@@ -199,22 +199,13 @@ class RackStage(Stage):
     @property
     def rack_tolerances(self) -> dict[str, float]:
         """Tolerances f_pt, F_p, F_α and F_β of the rack, mm; none without a grade or beyond the standard's sizes."""
-        rack = self.rack
-        if self.rack_grade is None:
-            return {}
-        diameter, second = rack.length / pi, {"F_beta": rack.width}
-        try:
-            return {
-                symbol: float(
-                    flank_tolerance(symbol, diameter, second.get(symbol, rack.normal_module), self.rack_grade)
-                )
-                for symbol in ("f_pt", "F_p", "F_alpha", "F_beta")
-            }
-        except DesignError:
-            return {}
+        return tolerances_of_rack(self.rack, self.rack_grade)
 
     def play(self) -> RackPlay:
-        """Play within the tolerances: distance, both thicknesses, and the pinion's composite error.
+        """Play within the tolerances: distance, both thicknesses, the pinion's composite error and the rack's pitch.
+
+        A pitch that is off moves both flanks of a tooth, and so does nothing while these alone touch the pinion. Where
+        one flank of two teeth is touched, it closes or opens the play by what they are off against each other.
 
         Raises:
             DesignError: a size that the standards do not cover.
@@ -226,14 +217,19 @@ class RackStage(Stage):
         if zone is None:
             zone = 2 * tan(form.normal_pressure_angle) * hypot(own.F_r, own.b_r)
         line, apart = self.mesh.backlash.pitch, self.distance_deviation * slope
+        rack = self.rack_tolerances
+        closes, opens = (
+            min(pitches * rack.get("f_pt", 0.0), rack.get("F_p", 0.0)) for pitches in self.mesh.pitches_touched
+        )
         halves = (zone / 2 / across, self.rack_zone / 2 / across)
-        low = np.array([line - apart, -halves[0], -halves[1], 0.0])
-        high = np.array([line + apart, halves[0], halves[1], own.F_i_radial * slope])
+        low = np.array([line - apart, -halves[0], -halves[1], 0.0, -closes])
+        high = np.array([line + apart, halves[0], halves[1], own.F_i_radial * slope, opens])
         names = (
             Message("distance"),
             Message("thickness of the pinion"),
             Message("thickness of the rack"),
             Message("composite error of the pinion"),
+            Message("pitch of the rack"),
         )
         radius = self.driven_pitch_radius
         return RackPlay(
@@ -397,6 +393,25 @@ class RackStage(Stage):
             Figure("over_pin_min", Message("height over a pin, least"), rack.over_pin(thin), "mm"),
         )
         return gear_figures(form, ends, sizes), bar
+
+
+def tolerances_of_rack(rack: RackForm, grade: int | None) -> dict[str, float]:
+    """Tolerances f_pt, F_p, F_α and F_β of a rack, mm; none without a grade or beyond the standard's sizes.
+
+    Args:
+        rack: numbers of the rack, which is taken as a gear of as many teeth.
+        grade: tolerance grade by ISO 1328-1.
+    """
+    if grade is None:
+        return {}
+    diameter, second = rack.length / pi, {"F_beta": rack.width}
+    try:
+        return {
+            symbol: float(flank_tolerance(symbol, diameter, second.get(symbol, rack.normal_module), grade))
+            for symbol in ("f_pt", "F_p", "F_alpha", "F_beta")
+        }
+    except DesignError:
+        return {}
 
 
 def rack_stage(

@@ -367,6 +367,7 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
         data, blanks, places = [], [], [0.0]
         in_carrier: str | None = None
         loose: list[Message] = []
+        grades: list[int] = []
         for (number, gear), wheel in zip(gears.items(), part.gears, strict=True):
             mates, pair, drives = _mates(layout, every, number, part)
             data.append(gear_rows(gear, mates, pair, drives=drives, double=getattr(wheel, "double", False)))
@@ -377,7 +378,9 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
                 in_carrier = pins.carrier if pins else None
                 if pins and pins.loose:
                     loose = [Message("Pins run in the carrier and in the planets: hold them axially.")]
-            blanks.append(_run_outs(gear, wheel, part, pair.grades[0 if drives else 1]))
+            grade = pair.grades[0 if drives else 1]
+            grades += [] if grade is None or gear.value("E_sns") == gear.value("E_sni") else [grade]
+            blanks.append(_run_outs(gear, wheel, part, grade))
         of_stages = [layout.train.stages[number - 1] for number in gears]
         bodies = joined([_kind_of(gear) for gear in part.gears], " and ")
         made = plan.making.shaft(part.shaft, len(plan.layout.on_shafts))
@@ -395,7 +398,12 @@ def sheets_of(plan: GearTrain, folder: Folder) -> Iterator[tuple[str, DrawingShe
             pitch_diameters=tuple(
                 float(f"{diameter:.7g}") for gear in gears.values() if (diameter := gear.value("reference_diameter"))
             ),
-            notes=(place, *sheet_notes(part, teeth), *loose, *([plan.printing.note] if plan.printing else [])),
+            notes=(
+                place,
+                *sheet_notes(part, teeth, min(grades, default=None)),
+                *loose,
+                *([plan.printing.note] if plan.printing else []),
+            ),
             flank_texture=(plan.title and plan.title.flank_finish) or "",
             bore_texture=(plan.title and plan.title.bore_finish) or "",
             simplified=bool(plan.title and plan.title.teeth is DrawnTeeth.SIMPLIFIED),

@@ -10,7 +10,7 @@ from cadgen.check import CheckCode
 from cadgen.design.load import load_design, train_of
 from cadgen.errors import DesignError
 from cadgen.gears.choices import ToothCutting
-from cadgen.gears.cutting import Made, blocked, cutting_checks, cutting_notes
+from cadgen.gears.cutting import Made, blocked, cutting_checks, cutting_notes, sheet_notes
 from cadgen.gears.layout import Blanks, TrainPart, lay_out
 from cadgen.gears.pair import GradedGear
 from cadgen.gears.spur import SpurPair
@@ -286,3 +286,18 @@ def test_sheets_and_checks_hear_of_a_printer_alike() -> None:
     for stem, sheet in sheets_of(plan, Folder({}, "2026-01-01")):
         assert "plate" in stem or "Teeth: printed or moulded." in sheet.notes
         assert not any("hob" in note for note in sheet.notes)
+
+
+@pytest.mark.parametrize(
+    ("cutting", "grade", "said"),
+    [
+        (ToothCutting.WIRE, 9, "Teeth: cut by wire; a laser or a jet does not keep grade 9."),
+        (ToothCutting.WIRE, 10, "Teeth: cut by wire, laser or jet."),
+        (ToothCutting.WIRE, None, "Teeth: cut by wire, laser or jet."),
+        (ToothCutting.HOBBED, 7, "Teeth: hobbed."),
+    ],
+)
+def test_of_wire_laser_and_jet_a_fine_grade_leaves_the_wire(
+    cutting: ToothCutting, grade: int | None, said: str
+) -> None:
+    assert next(sheet_notes(_cluster(60, 20, 1.0)[0], Made("drive", cutting=cutting), grade)) == said

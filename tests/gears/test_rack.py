@@ -1,7 +1,9 @@
 """Racks: the trial of another program, play on polygons, and files read back by the bare kernel."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import cos, pi, radians, tan
+from pathlib import Path
 
 import manifold3d
 import numpy as np
@@ -11,8 +13,11 @@ from OCP.TopAbs import TopAbs_VERTEX
 from OCP.TopoDS import TopoDS
 
 from cadgen import Gear, Rack
+from cadgen.design import gear_model
+from cadgen.design.load import train_of
 from cadgen.errors import DesignError
 from cadgen.gears.rack import RackForm, RackMesh
+from cadgen.gears.rack_stage import RackStage
 from cadgen.gears.tooth import GearForm
 from cadgen.geometry.meshes.teeth import section_of
 from cadgen.geometry.solids.gear_solids import body_solid
@@ -145,3 +150,69 @@ def test_a_pinion_without_room_for_its_bore_is_refused_on_a_rack():
     pinion = Gear(teeth=12, module=1.0, width=8.0, bore=20.0)
     with pytest.raises(DesignError, match="bore"):
         Rack(teeth=20, module=1.0, width=8.0).meshed(pinion, 6.0)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("teeth", "shift"), [(20, 0.0), (40, 0.3), (17, 0.5)])
+def test_pitches_that_are_off_take_no_more_from_the_play_than_is_reckoned(teeth: int, shift: float) -> None:
+    """Teeth of the rack are moved apart by so much a pitch, and the rack is pushed to either side until it meets."""
+    pinion = GearForm(teeth=teeth, normal_module=1.0, width=8.0, profile_shift=shift, tooth_thickness_deviation=-0.05)
+    rack = RackForm(teeth=9, normal_module=1.0, width=8.0, tooth_thickness_deviation=-0.05)
+    mesh = RackMesh(pinion=pinion, rack=rack, distance=pinion.reference_diameter / 2 + shift)
+    nominal, off, corners = mesh.backlash.pitch, 0.01, section_of(pinion, 1e-6).corners.ravel()
+
+    def play(turned: float, offs: Sequence[float]) -> float:
+        bars = [
+            np.array([[each.real + moved, each.imag] for each in tooth[1:5]])
+            for tooth, moved in zip(rack.corners(), offs, strict=True)
+        ]
+        placed = corners * np.exp(1j * (turned - pi / 2)) + 1j * mesh.distance
+        one = manifold3d.CrossSection([np.column_stack([placed.real, placed.imag])])
+        along = -4 * rack.pitch + turned * pinion.reference_diameter / 2
+        ends = []
+        for side in (1.0, -1.0):
+            free, blocked = -nominal / 2, nominal
+            while blocked - free > 2e-5:
+                middle = (free + blocked) / 2
+                moved = [bar[::-1] + np.array([along + side * middle, 0.0]) for bar in bars]
+                met = (one ^ manifold3d.CrossSection(moved)).area() > 1e-8
+                free, blocked = (free, middle) if met else (middle, blocked)
+            ends.append(free)
+        return sum(ends)
+
+    # A tooth of the pinion points at a space between teeth 4 and 5; over a pitch others touch.
+    turns = np.linspace(-0.5, 0.5, 17) * rack.pitch / (pinion.reference_diameter / 2)
+    found = [play(turned, off * (np.arange(9) - 4.0) * way) for turned in turns.tolist() for way in (1.0, -1.0)]
+    closes, opens = mesh.pitches_touched
+    print(f"{closes} close, {opens} open: {nominal:.4f} mm becomes {min(found):.4f} to {max(found):.4f}")
+    assert min(found) == pytest.approx(nominal - closes * off, abs=3e-4)
+    assert nominal - 3e-4 < max(found) < nominal + opens * off + 3e-4
+    assert play(0.0, [0.0] * 9) == pytest.approx(nominal, abs=3e-4)
+
+
+@pytest.mark.parametrize(("grade", "expected"), [(7, 10.0), (10, 28.0)])
+def test_the_pitch_of_a_rack_is_in_its_play(grade: int, expected: float) -> None:
+    """f_pt as ISO 1328-1 prints it over 20 up to 50 mm and a module of 0.5 to 2, for a gear of as many teeth."""
+    design = (
+        "[train]\nmodule_mm = 1.0\nwidth_mm = 8.0\nbearing_span_mm = 60.0\n[[train.stages]]\nkind = 'rack'\n"
+        "distance_mm = 10.1\ndriver = {{ teeth = 20, E_sn_um = -50.0 }}\n"
+        "rack = {{ teeth = 30, E_sn_um = -50.0, grade = {grade} }}\n"
+    )
+    (stage,) = gear_model.train(train_of(design.format(grade=grade), Path("rack.toml"))).stages
+    assert isinstance(stage, RackStage)
+    without = replace(stage, rack_grade=None)
+    radius, (closes, opens) = stage.driven_pitch_radius * 1e3, stage.mesh.pitches_touched
+    assert closes > 0
+    assert (without.play().B_min - stage.play().B_min) * radius == pytest.approx(closes * expected)
+    assert (stage.play().B_max - without.play().B_max) * radius == pytest.approx(opens * expected)
+
+
+def test_a_rack_from_numbers_states_the_limits_of_its_grade() -> None:
+    """ISO 1328-1, grade 7, over 20 up to 50 mm, a module of 0.5 to 2 and a face of 4 to 10 mm: 10, 29, 10 and 13 µm."""
+    rack = Rack(teeth=30, module=1, width=8, grade=7)
+    facts = rack.entry().json()
+    limits = [facts[f"{symbol}_um"] for symbol in ("f_pt", "F_p", "F_alpha", "F_beta")]
+    assert limits == pytest.approx([10.0, 29.0, 10.0, 13.0], rel=0.05)
+    assert "f_pt_um" not in Rack(teeth=30, module=1, width=8).entry().json()
+    with pytest.raises(DesignError, match="grade is 2"):
+        Rack(teeth=30, module=1, width=8, grade=2)

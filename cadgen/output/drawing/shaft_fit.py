@@ -134,6 +134,8 @@ class ShaftFit:
             part = Message("key") if self.joint == ShaftJoint.KEYED else Message("D-shaft")
             least, most = self.clearance
             yield Message("Clearance of the {part}: {least:g} to {most:g} µm.", part=part, least=least, most=most)
+        elif self.joint == ShaftJoint.GLUED and blank.hub and blank.hub.set_screw:
+            yield Message("On its shaft without play: glued; the set screw holds it until the adhesive is hard.")
         elif self.joint in TIGHT:
             yield Message("On its shaft without play: {joint}.", joint=TIGHT[self.joint])
 
