@@ -432,7 +432,7 @@ def _beyond_floor(joint: Joint, loose: Hypothesis, found: list[Hypothesis]) -> t
     verdict: Verdict = Verdict.PARTIAL if best.claims else Verdict.UNTRACED_SHAPE
     # Beside an unknown shape, too, a name is claimed only if no other does as well.
     distinct = _distinct(sorted(found, key=lambda h: h.loose_score)) if best.claims else []
-    claimed = best.claims & _sure(best, distinct, [h.loose_score for h in distinct])
+    claimed = _beside_shapes(best.claims & _sure(best, distinct, [h.loose_score for h in distinct]), found)
     likely = [h for h in distinct if h.loose_score < best.loose_score + RIVAL]
     rivals = [h for h in likely if not best.key <= h.reach]
     reported = best.claims.union(*(h.claims for h in likely))
