@@ -8,11 +8,11 @@ import numpy as np
 from scipy.stats import chi2
 
 from cadgen.arrays import Array
-from cadgen.deviations.effect import Effect
+from cadgen.deviations.effect import Active, Effect
 from cadgen.deviations.track import SMOOTH_FORMS
 from cadgen.inference.measurement.hypothesis import Hypothesis, Search, fit
 from cadgen.inference.measurement.joint import Joint, Part
-from cadgen.inference.measurement.verdict import Judgement, names_of, unclaimed
+from cadgen.inference.measurement.verdict import BESIDE_UNKNOWN, Judgement, names_of, unclaimed
 from cadgen.messages import Message
 
 # Parts of a turn in which an effect's size is compared, by equal numbers of rows.
@@ -35,9 +35,13 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
     """
     claimed = [e for e in best.effects if e.name in judgement.claimed]
     for effect in claimed:
-        if form := _better_form(effect, joint, best):
-            why = Message("{form} in its place explains the records better", form=Message(form.name))
+        if better := _better_form(effect, joint, best):
+            form = Message(better.effects[-1].name)
+            why = Message("{form} in its place explains the records better", form=form)
             judgement = unclaimed(judgement, [effect.name], why)
+            why = Message("hardly needed beside {form}", form=form)
+            spare = [e.name for e in claimed if e in better.effects and _spare(e, joint, better)]
+            judgement = unclaimed(judgement, spare, why)
     claimed = [e for e in claimed if e.name in judgement.claimed]
     for part in joint.parts:
         here = [e for e in claimed if e.key in part.names]
@@ -48,21 +52,41 @@ def with_doubts(judgement: Judgement, joint: Joint, best: Hypothesis) -> Judgeme
     return judgement
 
 
-def _better_form(effect: Effect, joint: Joint, best: Hypothesis) -> Effect | None:
-    """A smooth form, of one number as the effect, that fits the records better in its place; None without one.
+def _better_form(effect: Effect, joint: Joint, best: Hypothesis) -> Hypothesis | None:
+    """The best subset with a smooth form in an effect's place, where that fits the records better; None without one.
 
-    A name of the catalogue that is that form does as well, and stands.
+    The form has one number as the effect, and is the last of the effects. A name of the catalogue that is that form
+    does as well, and stands.
     """
-    others = tuple(e for e in best.effects if e != effect and e.beside != effect)
+    others = _without(effect, best)
     if any(e.shape for e in others) or len(effect.parameters) > 1:
         return None
-    start = [(e, v) for e, v in best.active if e != effect]
-    among = joint.within if best.spectrum.within else ~joint.within
-    least = float(best.misfit[among].min()) - _BETTER
+    least = _misfit(joint, best, best) - _BETTER
     for form in (e for e in joint.members if e.key in _FORMS):
-        if float(fit(joint, (*others, form), start, Search(joint.rows), level=least).misfit[among].min()) < least:
-            return form
+        found = fit(joint, (*others, form), _start(effect, best), Search(joint.rows), level=least)
+        if _misfit(joint, best, found) < least:
+            return found
     return None
+
+
+def _spare(effect: Effect, joint: Joint, better: Hypothesis) -> bool:
+    """Are the records nearly as likely without an effect, beside a form? Then what it does may be a part of that."""
+    most = _misfit(joint, better, better) + BESIDE_UNKNOWN
+    found = fit(joint, _without(effect, better), _start(effect, better), Search(joint.rows), level=most)
+    return _misfit(joint, better, found) < most
+
+
+def _without(effect: Effect, subset: Hypothesis) -> tuple[Effect, ...]:
+    return tuple(e for e in subset.effects if e != effect and e.beside != effect)
+
+
+def _start(effect: Effect, subset: Hypothesis) -> Active:
+    return [(e, v) for e, v in subset.active if e != effect]
+
+
+def _misfit(joint: Joint, best: Hypothesis, subset: Hypothesis) -> float:
+    """Least -2 log L of a subset by a form error within what is stated, or beyond it, as that of the best one."""
+    return float(subset.misfit[joint.within if best.spectrum.within else ~joint.within].min())
 
 
 def _differs(effect: Effect, claimed: list[Effect], part: Part, joint: Joint, best: Hypothesis) -> bool:
