@@ -33,6 +33,20 @@ def test_the_empty_section_of_every_packaged_car_gives_a_frame(name: str) -> Non
     assert made.passed, [check.name for check in failing(made.checks)]
 
 
+def test_shoulders_of_brackets_stand_on_the_base_beside_their_opened_corners(workshop: CarFrame) -> None:
+    """Every straight piece of a foot is at least as long as a wall is thick: less is a lip that a file takes off."""
+    brackets = [sheet for sheet in workshop.frame.sheets if sheet.code.startswith("bracket")]
+    assert len(brackets) == 2
+    for sheet in brackets:
+        foot = max(each.v + each.across / 2 for each in sheet.features if each.name == "tab")
+        points, bulges = sheet.outline.vertices, sheet.outline.bulges
+        ends = np.roll(points, -1, axis=0)
+        on_it = (abs(points[:, 1] - foot) < 1e-6) & (abs(ends[:, 1] - foot) < 1e-6) & (bulges == 0.0)
+        lengths = np.abs(ends - points)[on_it, 0]
+        assert len(lengths) == 3
+        assert lengths.min() >= 2.0  # frame.wall_mm
+
+
 def test_seats_lie_where_the_design_puts_the_axes(workshop: CarFrame) -> None:
     design = workshop.design
     for plate in workshop.frame.plates:

@@ -70,26 +70,29 @@ def foot_joints(
     places = np.arange(span[0], span[1] + 1e-9, STEP).tolist()
     screws, tabs = ([at for at in places if takes(at, width)] for width in (0.0, tab))
     between = tab / 2 + max(max(wide, reach) + 0.5 * wall, wide + opened)
-    made: list[FootJoint] = []
     if not screws or not tabs:
-        return made
+        return []
     if long:
         first, last = screws[0], screws[-1]
         inside = [at for at in tabs if first + between <= at <= last - between]
         if inside and inside[-1] - inside[0] >= tab + opened + end:
-            made = [
+            return [
                 FootJoint(first, 0.0),
                 FootJoint(inside[0], tab),
                 FootJoint(inside[-1], tab),
                 FootJoint(last, 0.0),
             ]
-        return made
-    first, last = tabs[0], tabs[-1]
-    inside = [at for at in screws if first + between <= at <= last - between]
-    if inside:
-        middle = min(inside, key=lambda at: abs(at - (first + last) / 2))
-        made = [FootJoint(first, tab), FootJoint(middle, 0.0), FootJoint(last, tab)]
-    return made
+        return []
+    # Beside an opened corner a shoulder as wide as a wall stands on the base, if the screw between leaves it room.
+    for shoulder in (opened + wall, end):
+        own = tab / 2 + shoulder
+        seated = [at for at in tabs if at - own >= span[0] and at + own <= span[1]]
+        inside = [at for at in screws if seated and seated[0] + between <= at <= seated[-1] - between]
+        if inside:
+            first, last = seated[0], seated[-1]
+            middle = min(inside, key=lambda at: abs(at - (first + last) / 2))
+            return [FootJoint(first, tab), FootJoint(middle, 0.0), FootJoint(last, tab)]
+    return []
 
 
 def tab_corners(ground: FrameGround, joint: FootJoint) -> list[tuple[float, float]]:
