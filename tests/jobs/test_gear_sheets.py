@@ -182,6 +182,7 @@ def test_carriers_and_racks_say_their_places_by_frames(sheets) -> None:
     assert [each.name for view in carrier.views for each in view.dimensions if getattr(each, "exact", False)] == [
         "circle of holes"
     ]
+    assert carrier.tables[0].rows[0][1] == "(22.5)"  # m (18 + 27) / 2; the frame holds it
     rack = sheets["rack"]["2_rack"]
     assert datums(rack) == "A"
     tips = frames(rack)["tips"]

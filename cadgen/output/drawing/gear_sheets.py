@@ -93,7 +93,11 @@ def gear_rows(
         double: whether its helix turns back at half the width.
     """
     if gear.value("teeth") is None:
-        return (Message("centre distance, mm"), rounded(stage.centre_distance, 4)), (Message("carries"), mates[0])
+        # Auxiliary, in brackets (ISO 129-1): the circle of the pins and their frame hold it.
+        return (Message("centre distance, mm"), f"({rounded(stage.centre_distance, 4)})"), (
+            Message("carries"),
+            mates[0],
+        )
     grade = stage.grades[0 if drives else 1]
     ring = gear.value("rim_diameter") is not None
 
