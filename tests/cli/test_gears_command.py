@@ -106,7 +106,7 @@ def test_the_same_design_gives_the_same_bytes(forced, cadgen, tmp_path):
     folder, _ = forced
     cadgen("gears", *JAMMING, "--force", "--out", "out", code=0, fresh=True)
     assert contents(tmp_path / "out") == contents(folder)
-    assert len(contents(folder)) == 9
+    assert len(contents(folder)) == 11
     for name in contents(folder):
         assert (folder / name).read_bytes() == (tmp_path / "out" / name).read_bytes(), name
 
@@ -199,7 +199,7 @@ def test_a_train_needs_no_car_and_the_other_commands_say_what_they_miss(cadgen, 
 def test_forced_teeth_that_jam_are_exported_all_the_same(forced):
     folder, printed = forced
     assert "thin the teeth, or set the axes apart" in " ".join(printed.split())
-    assert len(contents(folder)) == 9
+    assert len(contents(folder)) == 11
     part = json.loads((folder / "manifest.json").read_text())["parts"]["carbon_free_car_as-given_train"]
     assert part["passed"] is False
     assert part["files"]["carbon_free_car_as-given_train.step"]["play_um"] is None
