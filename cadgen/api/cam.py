@@ -285,9 +285,9 @@ class Cam(CamPlan, Pictured, Viewed):
         from cadgen.jobs.cam.motion_cam import plan_motion_cam
 
         text = cam_toml(motion, follower, base_circle_radius, pressure_angle, thickness, bore, name)
-        design = load.complete_of(text, Path(f"{name}.toml"), tuple(map(KeyChange, overrides_of(changes))))
+        design = load.complete_of(text, Path(), tuple(map(KeyChange, overrides_of(changes))))  # of no file
         assert isinstance(design, MotionDesign)  # it has [motion]
-        self._take(plan_motion_cam(design, None))
+        self._take(plan_motion_cam(design.model_copy(update={"source": f"{name}.toml"}), None))
 
     def _take(self, plan: CamPlan) -> None:
         for item in fields(CamPlan):

@@ -118,7 +118,7 @@ class Motion(Stated, Plotted):
         """Height over the turn."""
         # A design with any follower, so that what is refused is refused in its words.
         text = cam_toml(self, Roller(radius=1.0), _ANY_CIRCLE, None, _ANY_THICKNESS, None, "motion")
-        design = load.complete_of(text, Path("motion.toml"))
+        design = load.complete_of(text, Path())
         assert isinstance(design, MotionDesign)  # it has [motion]
         angle = np.linspace(0.0, TURN, _POINTS)
         heights = {"height": motion_of(design.motion, design.follower.registered, corners=False).q(angle)}

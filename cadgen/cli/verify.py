@@ -18,7 +18,7 @@ UNLISTED_SHOWN = 20
 
 
 @help.command()
-@click.argument("folder", metavar="DIR", type=click.Path(exists=True, file_okay=False, path_type=Path))
+@click.argument("folder", metavar="DIR", type=click.Path(path_type=Path))
 @help.option("--restore", is_flag=True, help="First undo half-done moves of runs that were killed in the folder.")
 @help.option("--json", "as_json", is_flag=True, help="Print one JSON document instead of a table.")
 def verify(folder: Path, restore: bool, as_json: bool) -> None:

@@ -400,7 +400,7 @@ def begin(
     if train is not None and train.base_radius is not None:
         document["cam"]["base_radius_mm"] = train.base_radius
     text = tomlkit.dumps(document)
-    design_of(text, Path(f"{name}.toml"))
+    design_of(text, Path())  # of no file yet, which messages would name
     return text
 
 
@@ -439,7 +439,7 @@ def begin_motion(name: str, table: Path | None = None, changes: Sequence[str] = 
         return tomlkit.dumps(document)
 
     # The folder may not be there yet, so the table is looked for where it is.
-    complete_of(text("" if table is None else str(table)), Path(f"{name}.toml"))
+    complete_of(text("" if table is None else str(table)), Path())
     return text("" if table is None else Path(relpath(table, folder)).as_posix())
 
 

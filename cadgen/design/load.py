@@ -196,7 +196,9 @@ def _checked(schema: type[TrainFile], values: TomlValues, file: Path, overrides:
     except ValidationError as error:
         sentences, more = explain(error, MAX_ERRORS_SHOWN, NamedKinds.of(values))
         # Each after the file or the override that it comes from.
-        lines = [joined((_blame(place, source, applied), sentence), ": ") for place, sentence in sentences]
+        lines = [
+            joined(filter(None, (_blame(place, source, applied), sentence)), ": ") for place, sentence in sentences
+        ]
         rest = [Message("and {more} more like these", more=more)] if more else []
         raise DesignError(joined([*lines, *rest], "\n")) from None
     unused = OF_A_CAR if schema is MotionFile else ()
@@ -378,8 +380,9 @@ def _blame(place: Place, source: str, applied: Sequence[tuple[Place, str]]) -> s
         if place[: len(where)] == where:
             return quoted(text)
     inside = [quoted(text) for where, text in applied if where[: len(place)] == place]
+    changes = brief(" ".join(inside))
     return (
-        Message("{source} with {inside}", source=brief(source), inside=brief(" ".join(inside)))
-        if inside
-        else brief(source)
+        Message("{source} with {inside}", source=brief(source), inside=changes)
+        if inside and source
+        else changes or brief(source)
     )

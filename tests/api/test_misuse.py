@@ -4,14 +4,29 @@ import copy
 import json
 import pickle
 from dataclasses import replace
-from math import degrees, inf, nan
+from math import degrees, inf, nan, pi
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import cadgen
-from cadgen import Design, Gear, GearPair, Measured, Report, Train, Written, draw, merge, verify
+from cadgen import (
+    Cam,
+    Design,
+    Gear,
+    GearPair,
+    Measured,
+    Motion,
+    Report,
+    Roller,
+    Train,
+    Written,
+    draw,
+    merge,
+    rise,
+    verify,
+)
 from cadgen.design.file_names import name_fault, usable_name
 from cadgen.design.keys import tables
 from cadgen.design.load import packaged_designs
@@ -241,6 +256,16 @@ def test_arguments_are_bounded_as_the_keys_of_the_design_file(argument):
     for value in outside:
         with pytest.raises(DesignError, match=rf"^{argument} is .*; it must be"):
             made(value)
+
+
+def test_of_a_cam_without_a_design_file_no_file_is_named():
+    motion = Motion([rise(5, pi), rise(-5, pi)])
+    for radius, name, said in (
+        (-9, "cam", "follower.radius_mm is -9; it must be"),
+        (9, "a/b", 'name is "a/b"; it must'),
+    ):
+        with pytest.raises(DesignError, match=f"^{said}"):
+            Cam(motion, Roller(radius=radius), base_circle_radius=40, thickness=5, name=name)
 
 
 def test_names_that_windows_cannot_have():

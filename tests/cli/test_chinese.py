@@ -108,7 +108,7 @@ def test_json_stays_english(cadgen):
         (("bogus",), 2),
         (("cam", "--bogus"), 2),
         (("verify",), 2),
-        (("verify", "nowhere"), 2),
+        (("verify", "nowhere"), 3),
         (("tolerance", "--samples", "0"), 2),
         (("tolerance", "--samples", "many"), 2),
         (("adjust", "--noise-mm", "nan", "x.csv"), 2),

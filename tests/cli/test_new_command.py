@@ -171,3 +171,24 @@ def test_points_in_metres_are_refused_in_one_sentence(tmp_path):
     assert not (tmp_path / "small.toml").exists()
     (tmp_path / "p.txt").write_text("0 0\n500 400\n1200 900\n2000 300\n")
     assert new(tmp_path, "large", "--points", str(tmp_path / "p.txt")).exit_code == 0
+
+
+@pytest.mark.parametrize("encoding", ["gb18030", "utf-16", "cp1252"])
+def test_points_are_read_in_the_encodings_in_which_tables_are(tmp_path, encoding):
+    remark = "Höhe" if encoding == "cp1252" else "点"
+    (tmp_path / "p.csv").write_text(f"# {remark}\n500,700\n2000,900\n3100,1900\n4500,2200\n", encoding=encoding)
+    assert new(tmp_path, "p", "--points", str(tmp_path / "p.csv")).exit_code == 0
+    assert load_design(tmp_path / "p.toml").path.waypoints_mm[3] == (4500.0, 2200.0)
+
+
+def test_what_is_wrong_with_a_file_is_said_of_that_file_and_not_of_the_design_that_is_not_there(tmp_path):
+    """The folder, the line that lies beyond any path, the table with too few rows, and the key of a flag."""
+    (tmp_path / "far.csv").write_text("0,0\n1e9,0\n1e9,1e9\n0,1e9\n")
+    (tmp_path / "few.csv").write_text("0,0\n")
+    for arguments, said in (
+        (("--points", str(tmp_path)), f"{tmp_path} is a folder: give a file of points in it"),
+        (("--points", str(tmp_path / "far.csv")), "far.csv, line 2: the point lies 1e+09 mm from the origin"),
+        (("--table", str(tmp_path / "few.csv")), f"motion.table, {tmp_path / 'few.csv'}, has one row; it needs"),
+        (("--set", "car.wheelbase_mm=-3"), "car.wheelbase_mm is -3; it must be"),
+    ):
+        assert str(new(tmp_path, "x", *arguments).exception).startswith(said)

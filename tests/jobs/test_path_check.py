@@ -35,6 +35,16 @@ def test_a_path_that_turns_back_on_itself_is_refused_at_the_waypoint(name, words
         Design.load(DATA / f"{name}.toml").cam()
 
 
+def test_two_points_that_are_nearly_one_are_named_where_the_path_turns_too_sharply():
+    """A point that is given twice, 1 µm apart, makes a turn that no car can drive; without it one can."""
+    given = ((500, 700), (2000, 900), (2000.001, 900), (3100, 1900), (4500, 2200), (6000, 1700))
+    twice = Design.load("carbon_free_car", {"path.waypoints_mm": given})
+    with pytest.raises(DesignError, match=r"^waypoints 2 and 3 are 0\.001 mm apart, at \(2000, 900\) mm, so that"):
+        twice.cam()
+    once = twice.with_({"path.waypoints_mm": (*given[:2], *given[3:])})
+    assert cam_model.track(once.values).length > 5500
+
+
 @pytest.mark.parametrize("name", ["s_course", "posts_and_walls", "figure_eight", "carbon_free_car"])
 def test_the_lift_wanted_drives_past_every_waypoint(name):
     design = Design.load(name).values

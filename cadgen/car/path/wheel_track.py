@@ -19,6 +19,7 @@ LEAST_INTERVALS = 16
 MOST_NODES = 24_000
 _ROUNDING = 64 * np.finfo(float).eps  # of a waypoint, as a share of the path's greatest coordinate
 GAUSS_POINTS = 8
+_NEARLY_ONE = 0.01  # share of the usual distance of two points below which they are one that was given twice
 _BLOCK = 20_000  # nodes whose arc lengths are integrated at once
 
 
@@ -231,6 +232,7 @@ def _refuse_turning_back(path: PlannedPath, u: Array) -> None:
     x, y = path.spline(u[row, column])
     knots = path.spline(path.knots)
     nearest = int(np.argmin(np.hypot(knots[:, 0] - x, knots[:, 1] - y)[row : row + 2])) + row
+    _refuse_near_double(path, row)
     raise DesignError(
         "the path turns back on itself at ({x:.0f}, {y:.0f}) mm, by {knot_name} {number}, and a car cannot: put the "
         "points in the order in which they are driven, or lead the path round a turn ({points_key})",
@@ -242,12 +244,36 @@ def _refuse_turning_back(path: PlannedPath, u: Array) -> None:
     )
 
 
+def _refuse_near_double(path: PlannedPath, span: int) -> None:
+    """Refuse two points that are nearly one, beside the place of a fault that they cause: in a span or next to it."""
+    if path.points_key != PlannedPath.points_key:
+        return  # its knots are no points that are given
+    knots = path.spline(path.knots)
+    chords = np.hypot(*np.diff(knots, axis=0).T)
+    first = max(0, span - 1)
+    short = first + int(np.argmin(chords[first : span + 2]))
+    if chords[short] >= _NEARLY_ONE * np.median(chords):
+        return
+    raise DesignError(
+        "{knot_name}s {first} and {second} are {apart:.2g} mm apart, at ({x:.0f}, {y:.0f}) mm, so that the path turns "
+        "too sharply there: remove one of them ({points_key})",
+        knot_name=path.knot_name,
+        first=short + 1,
+        second=short + 2,
+        apart=float(chords[short]),
+        x=knots[short, 0],
+        y=knots[short, 1],
+        points_key=path.points_key,
+    )
+
+
 def _refuse_cusp(path: PlannedPath, offset: float, u: Array, position: Array, k: Array) -> None:
     shrink = 1.0 - offset * k
     worst = int(np.argmin(shrink))
     if shrink[worst] > 0 and np.isfinite(k).all():
         return
     span = int(np.clip(np.searchsorted(path.knots, u[worst], side="right"), 1, len(path.knots) - 1))
+    _refuse_near_double(path, span - 1)
     side = Message("left") if k[worst] > 0 else Message("right")
     raise DesignError(
         "the path turns {side} with a radius of {radius:.1f} mm at ({x:.0f}, {y:.0f}) mm, "

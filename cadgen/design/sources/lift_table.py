@@ -12,8 +12,9 @@ from cadgen.cam.followers.kind import FollowerKind
 from cadgen.design.lift_rows import MOST_ROWS
 from cadgen.design.section import WORD
 from cadgen.design.sources.source import SAME, MotionKeys, Row, columns, refuse_order, spoken
-from cadgen.errors import DesignError
+from cadgen.errors import DesignError, brief
 from cadgen.laws.unit import MM
+from cadgen.messages import Message
 
 if TYPE_CHECKING:
     from cadgen.laws.motion import Motion
@@ -93,8 +94,10 @@ class TableKeys(MotionKeys):
         rows, name = self.rows or (), TableKeys.shaped_by(self)
         if len(rows) < LEAST_ROWS:
             raise DesignError(
-                "{name} has {count} rows; it needs at least {least}: add more",
-                name=name,
+                "{name} has one row; it needs at least {least}: add more"
+                if len(rows) == 1
+                else "{name} has {count} rows; it needs at least {least}: add more",
+                name=Message("{name}, {file},", name=name, file=brief(self.table)) if self.table else name,
                 count=len(rows),
                 least=LEAST_ROWS,
             )

@@ -10,7 +10,8 @@ from math import dist, isfinite
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from cadgen.errors import FileError, escaped
+from cadgen.errors import FileError, brief, escaped
+from cadgen.inference.records.text_table import text_of
 from cadgen.inference.records.units import IDLE, TIMES, heading
 from cadgen.messages import Message
 from cadgen.reading import read_regular
@@ -18,7 +19,7 @@ from cadgen.reading import read_regular
 MOST_BYTES = 32_000_000
 _MOST_DXF_BYTES = 8_000_000  # a drawing is read at some 1 MB/s
 _MOST_POINTS = 10_000  # of a file: as many as a design file has room for
-_FARTHEST = 1e7  # mm from the origin: ten kilometres
+_FARTHEST = 1e6  # mm from the origin, a kilometre: as far as the keys of a design reach
 _SAME_MM = 1e-6  # below this two points are one
 _WEIGHTS = ("weight", "weights", "w", "gewicht", "权重")
 _SAG = 1.0  # mm, by which a chord may leave an arc of a polyline
@@ -61,6 +62,8 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
         content = read_regular(path, _MOST_DXF_BYTES if is_dxf else MOST_BYTES)
     except FileNotFoundError:
         raise FileError("there is no file {name}: correct the path", name=name) from None
+    except IsADirectoryError:
+        raise FileError("{name} is a folder: give a file of points in it", name=brief(str(path))) from None
     except (OSError, ValueError) as error:
         reason = Message(str(error.strerror) if isinstance(error, OSError) else error.args[0])
         raise FileError(
@@ -76,12 +79,8 @@ def read_points(path: Path, layer: str | None = None, *, closed: bool = False) -
             return _only_polyline(drawing, name, layer, closed)
     if layer is not None:
         raise FileError("{name} has no layers, which only a DXF has: remove --layer", name=name)
-    try:
-        return _rows(content.decode("utf-8-sig"), name)
-    except UnicodeDecodeError:
-        raise FileError(
-            "{name} is not UTF-8 text: save it again as UTF-8, or give a file ending in .dxf", name=name
-        ) from None
+    text, _ = text_of(content, name, lambda text: 0)
+    return _rows(text, name)
 
 
 def _rows(text: str, name: str) -> Points:
@@ -104,6 +103,15 @@ def _rows(text: str, name: str) -> Points:
                 name=name,
                 line=number,
                 text=escaped(line.strip()[:60]),
+            )
+        if (far := max(map(abs, values[:2]))) > _FARTHEST:
+            raise FileError(
+                "{name}, line {line}: the point lies {far:.3g} mm from the origin, and {most:.3g} mm are the most: "
+                "write x and y in mm, or their unit above them, such as x [um], y [um]",
+                name=name,
+                line=number,
+                far=far,
+                most=_FARTHEST,
             )
         if len(places) == _MOST_POINTS:
             raise _too_many(name)

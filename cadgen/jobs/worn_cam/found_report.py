@@ -53,7 +53,7 @@ def found_report(cam: FoundCamPlan) -> list[Block]:
     if (grid := cam.stated.grid) is not None and grid.sure and asked is not None:
         blocks.append(
             Message(
-                "All ends of segments are put at multiples of {step:g} degrees from the first, as motion.ends_at_deg "
+                "All ends of segments are put at multiples of {step:g}° from the first, as motion.ends_at_deg "
                 "says; as measured alone they lie up to {most:.2f} degrees beside, which is wear.{whole}",
                 step=grid.step,
                 most=float(abs(grid.shifts).max()),
@@ -65,7 +65,7 @@ def found_report(cam: FoundCamPlan) -> list[Block]:
     elif grid is None and asked is not None:
         blocks.append(
             Message(
-                "Ends of segments at multiples of {step:g} degrees, as motion.ends_at_deg says, do not fit what was "
+                "Ends of segments at multiples of {step:g}°, as motion.ends_at_deg says, do not fit what was "
                 "measured: ends stay as they were measured. Remove the key, or give the step of the drawing.",
                 step=asked,
             )
@@ -73,7 +73,7 @@ def found_report(cam: FoundCamPlan) -> list[Block]:
     elif grid is not None and grid.sure:
         blocks.append(
             Message(
-                "All ends of segments lie at multiples of {step:g} degrees from the first, by far too well for chance, "
+                "All ends of segments lie at multiples of {step:g}° from the first, by far too well for chance, "
                 "and are taken to be there; wear turned those of worn segments by up to {most:.2f} degrees.",
                 step=grid.step,
                 most=float(abs(grid.shifts).max()),

@@ -82,16 +82,16 @@ PATH = [(0.0, 0.0), (1.0, 0.5), (2.0, 0.0), (3.0, 0.5)]
 @pytest.mark.parametrize(
     ("header", "first"),
     [
-        ("Y X", (250.0, 900.0)),
-        ("y_m;x_m", (250e3, 900e3)),
-        ("X [cm], Y [in]", (9000.0, 6350.0)),
-        ("East, North", (900.0, 250.0)),
-        ("x", (900.0, 250.0)),
+        ("Y X", (25.0, 90.0)),
+        ("y_m;x_m", (25e3, 90e3)),
+        ("X [cm], Y [in]", (900.0, 635.0)),
+        ("East, North", (90.0, 25.0)),
+        ("x", (90.0, 25.0)),
     ],
 )
 def test_a_header_says_the_order_and_the_unit(header, first, tmp_path):
     path = tmp_path / "points.csv"
-    path.write_text(f"{header}\n900, 250\n1700, -150\n2600, -300\n3400, 150\n")
+    path.write_text(f"{header}\n90, 25\n170, -15\n260, -30\n340, 15\n")
     assert read_points(path).places[0] == pytest.approx(first)
 
 
@@ -157,7 +157,7 @@ def test_more_points_than_a_design_has_room_for_are_refused(tmp_path):
     for file in (tmp_path / "p.csv", drawing(tmp_path, 4, [("PATH", many, False)])):
         with pytest.raises(FileError, match="has more than 10000 points"):
             read_points(file)
-    arcs = [(1e6 * (k % 2), 0.0, 0.0, 0.0, 1.0) for k in range(200)]
+    arcs = [(8e5 * (k % 2), 0.0, 0.0, 0.0, 1.0) for k in range(200)]
     with pytest.raises(FileError, match="has more than 10000 points"):
         read_points(drawing(tmp_path, 4, [("PATH", arcs, False)]))
 
