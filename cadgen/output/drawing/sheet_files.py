@@ -604,8 +604,8 @@ def _frame(space: Modelspace, drawing: DrawingSheet, say: Callable[[str], str]) 
         room = left + span * column - 1.0 - start - aside
         letters = height_within([text_length(text)], [room], most)
         # Chinese letters are higher than Latin capitals: large ones would touch the name of the cell.
-        up = 1.0 if letters > TEXT and any(map(is_wide, text)) else 1.4
-        _text(space, text, (start, low + up), letters)
+        above = 1.0 if letters > TEXT and any(map(is_wide, text)) else 1.4
+        _text(space, text, (start, low + above), letters)
         if aside:  # a sign in brackets: some surfaces on the sheet have signs of their own (ISO 21920-1)
             after = start + letters * text_length(text) + 1.0
             _text(space, "(", (after, low + 1.4), TEXT)
