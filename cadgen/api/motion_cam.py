@@ -6,6 +6,7 @@ keys messages name.
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 from math import degrees, tau
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,8 @@ from cadgen.design.motion import motion_of
 from cadgen.design.schema import MotionDesign
 from cadgen.design.sources.source import DiscSense
 from cadgen.errors import DesignError, brief
+from cadgen.laws.table import codes
+from cadgen.laws.table import has as is_law
 from cadgen.laws.unit import MM
 from cadgen.output.report.notebook import Plotted, lines_picture
 from cadgen.output.report.style import Drawing
@@ -55,8 +58,15 @@ def rise(height: float, angle: float, law: str = "polynomial_3_4_5") -> MotionSt
         law: code of a motion law, as in docs/how-to/motion.md.
 
     Raises:
-        DesignError: a number out of its range.
+        DesignError: a number out of its range, or a law that is not known.
     """
+    if not is_law(law):
+        near = get_close_matches(str(law)[:80].lower(), codes(), 1)
+        if not near:
+            word("law", law, codes())
+        raise DesignError(
+            "{here} is {value}: did you mean {near}?", here="law", value=brief(repr(law), 60), near=near[0]
+        )
     return MotionStep(_angle(angle), real("height", height, -1e6, 1e6), law)
 
 

@@ -3,6 +3,7 @@
 import os
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
@@ -19,6 +20,11 @@ from cadgen.cli.options import (
 )
 from cadgen.messages import Message
 from cadgen.verdict import Readiness
+
+if TYPE_CHECKING:
+    from cadgen.design.schema import Design as DesignValues
+
+_SIZES = {"car.wheelbase_mm", "car.drive_wheel_offset_mm", "car.idle_wheel_offset_mm"}
 
 
 @help.command()
@@ -81,9 +87,12 @@ def new(
     """Begin a design: NAME.toml, commented, with the paper's mechanism and your path; with --motion any cam.
 
     The dimensions of your car go in with --set, as in --set car.wheelbase_mm=180, or later in the file.
+
+    The exit code is 1 if no car can drive the path, which the last line says; the file is written all the same.
     """
     from cadgen.api.design import Design
-    from cadgen.cli.show import verdict
+    from cadgen.cli import show
+    from cadgen.design.cam_model import undrivable
 
     design = Design.new(
         name,
@@ -98,7 +107,32 @@ def new(
         table=table,
         changes=overrides,
     )
-    verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")
+    fault = None
+    if not design.by_motion:
+        _say_outline(design.complete(), overrides)
+        fault = undrivable(design.complete()) if points else None
+    if fault:
+        show.verdict(False, Message("{file} begins the design, but {fault}", file=design.file, fault=fault))
+    else:
+        show.verdict(True, Message("{file} begins the design", file=design.file), f"cadgen check {design.file}")
+    raise SystemExit(1 if fault else 0)
+
+
+def _say_outline(design: "DesignValues", overrides: tuple[str, ...]) -> None:
+    """Print that a new design has the outline of the paper's car, where sizes of another car were given."""
+    from cadgen.cli.show import Output
+
+    outline, keys = design.car.outline, [change.partition("=")[0].strip() for change in overrides]
+    if outline is None or any(key.startswith("car.outline") for key in keys) or not _SIZES & set(keys):
+        return
+    line = Message(
+        "Taken from the paper's car: car.outline, {length:g} mm long and {width:g} mm wide, with a wheel of {wheel:g} "
+        "mm.",
+        length=outline.length_mm,
+        width=outline.width_mm,
+        wheel=outline.wheel_diameter_mm,
+    )
+    Output().print(line)
 
 
 @help.command()

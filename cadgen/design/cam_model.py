@@ -219,6 +219,19 @@ def path_end(design: Design, driven: Track) -> float:
     return driven.length * (TURN - radians(design.cam.blend_deg)) / TURN
 
 
+def undrivable(design: Design) -> Message | None:
+    """Why the path cannot be driven, by which a check of the design would be refused; None if it can.
+
+    Args:
+        design: the design.
+    """
+    try:
+        lift(design)
+    except DesignError as error:
+        return error.message
+    return None
+
+
 def lift(design: Design, driven: Track | None = None) -> PathMotion:
     """The steering that one turn of the cam must give, closed by the blend where the path is not.
 

@@ -26,6 +26,7 @@ from cadgen.design.schema import Design
 from cadgen.errors import DesignError
 from cadgen.jobs.car_frame import car_frame
 from cadgen.jobs.car_layout import layout_of
+from cadgen.messages import Message
 
 _MOST_OVER = 1.03  # of the ratio over that with which the blend begins where the path ends
 _SAME_WHEEL = 0.01  # share by which the wheel of a lap, which follows from the ratio, may differ from the outline's
@@ -108,12 +109,13 @@ def proposed(text: WithTrain, name: str) -> str:
     count, wrong = nearest
     raise DesignError(
         "none of the {tried} trains that were tried fits the car; the nearest, of {count} stages, fails {name}: "
-        "{value}, where {limit:g} is asked for; raise train.module_mm, change the sizes of the car, or leave the "
-        "proposal out",
+        "{value}{place}, where {limit:g} is asked for; raise train.module_mm, change the sizes of the car, or leave "
+        "the proposal out",
         tried=tried,
         count=count,
         name=wrong[0].name,
         value=wrong[0].text(),
+        place=Message(" ({place})", place=wrong[0].place) if wrong[0].place else "",
         limit=wrong[0].limit,
     )
 

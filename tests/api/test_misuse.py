@@ -268,6 +268,13 @@ def test_of_a_cam_without_a_design_file_no_file_is_named():
             Cam(motion, Roller(radius=radius), base_circle_radius=40, thickness=5, name=name)
 
 
+def test_a_law_that_is_none_is_refused_where_it_is_written():
+    with pytest.raises(DesignError, match=r"^law is 'cycloid': did you mean cycloidal"):
+        rise(5, pi, "cycloid")
+    with pytest.raises(DesignError, match=r"^law is 'xyzzy'; it must be one of "):
+        rise(5, pi, "xyzzy")
+
+
 def test_names_that_windows_cannot_have():
     for name in ("con", "PRN", "Aux.1", "nul.step", "COM0", "LPT³", "lpt9.x", "car.", "a..", "", ".a", "a/b", "a" * 65):
         assert name_fault(name)

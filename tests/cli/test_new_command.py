@@ -99,7 +99,8 @@ def test_a_lap_goes_on_from_its_last_point_to_its_first(tmp_path):
     drawing.modelspace().add_lwpolyline(corners, close=True)
     drawing.saveas(tmp_path / "p.dxf")
     for suffix in ("csv", "dxf"):
-        assert new(tmp_path, suffix, "--closed", "--points", str(tmp_path / f"p.{suffix}")).exit_code == 0
+        done = new(tmp_path, suffix, "--closed", "--points", str(tmp_path / f"p.{suffix}"))
+        assert done.exit_code == 1  # a lap needs five points
         design = load_design(tmp_path / f"{suffix}.toml")
         assert design.path.closed
         assert design.path.waypoints_mm == tuple(map(tuple, corners))
@@ -192,3 +193,29 @@ def test_what_is_wrong_with_a_file_is_said_of_that_file_and_not_of_the_design_th
         (("--set", "car.wheelbase_mm=-3"), "car.wheelbase_mm is -3; it must be"),
     ):
         assert str(new(tmp_path, "x", *arguments).exception).startswith(said)
+
+
+def test_a_path_that_cannot_be_driven_is_said_by_the_last_line_in_the_words_of_check(tmp_path):
+    (tmp_path / "p.csv").write_text("500,700\n2000,900\n3100,1900\n2000,900\n500,700\n")
+    done = new(tmp_path, "back", "--points", str(tmp_path / "p.csv"))
+    assert done.exit_code == 1
+    with pytest.raises(CadgenError) as refused:
+        Design.load(tmp_path / "back.toml").cam()
+    said = f"FAIL: {tmp_path}/back.toml begins the design, but {refused.value}"
+    assert "".join(done.output.split()) == said.replace(" ", "")
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ((), False),
+        (("car.wheelbase_mm=150",), True),
+        (("car.wheelbase_mm=150", "car.outline.wheel_diameter_mm=60"), False),
+        (("car.wheelbase_mm=150", "car.outline="), False),
+        (("car.max_steering_angle_deg=30",), False),
+    ],
+)
+def test_an_outline_that_is_the_papers_is_named_where_the_sizes_of_the_car_are_given(tmp_path, changes, said):
+    done = new(tmp_path, "c", *(word for change in changes for word in ("--set", change)))
+    line = "Taken from the paper's car: car.outline, 290 mm long and 260 mm wide, with a wheel of 128 mm."
+    assert (line in " ".join(done.output.split())) == said, done.output

@@ -50,7 +50,7 @@ def test_a_wheel_too_small_for_its_pinion_is_refused_before_any_train_is_laid_ou
 def test_what_forbids_a_train_is_named(tmp_path):
     with pytest.raises(
         DesignError,
-        match=r"none of the \d+ trains that were tried fits the car; .* where 45 is asked for; raise train\.module_mm",
+        match=r"none of the \d+ trains .* fits the car; .* mm \(.+ and .+\), where 45 is asked for; raise train",
     ):
         Design.new("high", tmp_path, train=True, changes={"layout.clearance_mm": 45})
     with pytest.raises(DesignError, match="no train of one to four stages brings a wheel of 2000 mm"):
