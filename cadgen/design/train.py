@@ -308,7 +308,7 @@ class GearBlankSection(Held):
     )
     cut_apart: bool | None = Field(
         default=None,
-        description="whether the two gears of the shaft are cut as two parts, each with files and a sheet of its own, "
+        description="whether the two gears of the shaft are cut as two parts, each with files and a sheet, "
         "and joined by `joint`; left out, they are one piece",
     )
     shaft_ends: bool | None = Field(
