@@ -462,6 +462,7 @@ def pair(
         Message("{name}, {teeth}", name=made.name, teeth=made.cut.label),
         rows,
         made.cut.notes(1),
+        Message("make them"),
         out,
         formats,
         force,
@@ -557,7 +558,7 @@ def planetary(
         name=name,
     )
     error = made.return_error
-    bare = Message("The planets have no bore, so no carrier is made: give --bore-diameter-mm for sun and planets.")
+    bare = Message("give --bore-diameter-mm for sun and planets: without it no carrier holds them")
     rows: Named = {
         Message("ratio"): str(made.ratio),
         Message("centre distance, mm"): made.axes_apart,
@@ -572,7 +573,8 @@ def planetary(
         made,
         Message("{name}, {teeth}", name=made.name, teeth=f"{sun}/{planet}/{counts[2]}"),
         rows,
-        made.notes if arguments[1].get("bore") else (*made.notes, bare),
+        made.notes,
+        Message("make them") if arguments[1].get("bore") else bare,
         out,
         formats,
         force,
@@ -602,6 +604,7 @@ def _make(
     title: Message,
     rows: Named,
     notes: tuple[str, ...],
+    afterwards: Message,
     out: Path,
     formats: str | None,
     force: bool,
@@ -623,9 +626,8 @@ def _make(
         if written is not None:
             _files(written, out)
         if made.passed:
-            show.verdict(
-                True, Message("every check holds, and each file in {out} was read back", out=out), Message("make them")
-            )
+            passed = Message("every check holds, and each file in {out} was read back", out=out)
+            show.verdict(True, passed, afterwards)
         else:
             failing = show.failed(made.checks)
             result = failing if force else Message("{failing}, so nothing was exported", failing=failing)

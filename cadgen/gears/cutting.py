@@ -21,8 +21,8 @@ CUT = {
     ToothCutting.PRINTED: Message("printed or moulded"),
 }
 
-# Coarsest grade that of the three only a wire is taken to keep: by judgement, since no standard was at hand.
-_WIRE_ALONE = 9
+# Coarsest grade that no laser, jet or printer is taken to keep: by judgement, since no standard was at hand.
+_FINE = 9
 
 
 @dataclass(frozen=True, slots=True)
@@ -135,16 +135,25 @@ def _other_ways(gear: GearForm, made: Made) -> Message:
     return Message('give {key} = "{usual}" or "{other}"', key=made.key, usual=usual, other=ToothCutting.PRINTED)
 
 
-def cutting_notes(parts: Sequence[TrainPart], makings: Sequence[Made]) -> tuple[Message, ...]:
-    """Sentences on inside teeth that are cut by another tool than the train's, and on the gear that lacks most room.
+def cutting_notes(parts: Sequence[TrainPart], makings: Sequence[Made], grade: int | None) -> tuple[Message, ...]:
+    """Sentences on teeth too fine for a printer, on inside teeth cut otherwise, and on the gear that lacks most room.
 
     The room is that of any usual tool, of gears of which it is not stated how they are cut.
 
     Args:
         parts: parts of the train.
         makings: how each is made.
+        grade: finest tolerance grade of the train; None where none is stated.
     """
     said: list[Message] = []
+    if grade is not None and grade <= _FINE and any(made.cutting == ToothCutting.PRINTED for made in makings):
+        said.append(
+            Message(
+                "play and limits go by grade {grade}, which no printer keeps: state the grade that yours keeps by test "
+                "pieces, or a backlash with room for it",
+                grade=grade,
+            )
+        )
     lacking: list[tuple[float, Message]] = []
     for part, made in zip(parts, makings, strict=True):
         if made.instead is not None and made.cutting is not None:
@@ -197,8 +206,11 @@ def sheet_notes(part: TrainPart, made: Made, grade: int | None = None) -> Iterat
     """
     how = made.cutting
     if how is not None and any(isinstance(gear, GearForm) for gear in part.gears):
-        if how == ToothCutting.WIRE and grade is not None and grade <= _WIRE_ALONE:
+        fine = grade is not None and grade <= _FINE
+        if how == ToothCutting.WIRE and fine:
             yield Message("Teeth: cut by wire; a laser or a jet does not keep grade {grade}.", grade=grade)
+        elif how == ToothCutting.PRINTED and fine:
+            yield Message("Teeth: printed or moulded; a printer does not keep grade {grade}.", grade=grade)
         else:
             yield Message("Teeth: {how}.", how=CUT[how])
     if part.joined_to:

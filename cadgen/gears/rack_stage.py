@@ -329,7 +329,7 @@ class RackStage(Stage):
             said.append(
                 Message(
                     "the {role} of stage {number}, of {teeth} teeth, is undercut: as cut it has the profile shift"
-                    " {shift:.2f}, {missing:.2f} modules less than would leave its flanks whole",
+                    " {shift:.3f}, {missing:.2g} modules less than would leave its flanks whole",
                     role=Message("driver"),
                     number=number,
                     teeth=self.pinion.form.teeth,

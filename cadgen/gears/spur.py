@@ -700,7 +700,7 @@ class SpurPair(Pair, Stage):
         return said + tuple(
             Message(
                 "the {role} of stage {number}, of {teeth} teeth, is undercut: as cut it has the profile shift"
-                " {shift:.2f}, {missing:.2f} modules less than would leave its flanks whole",
+                " {shift:.3f}, {missing:.2g} modules less than would leave its flanks whole",
                 role=role,
                 number=number,
                 teeth=gear.form.teeth,

@@ -44,6 +44,11 @@ class Train:
         return prod((stage.ratio for stage in self.stages), start=Fraction(1))
 
     @property
+    def finest_grade(self) -> int | None:
+        """Finest tolerance grade of its gears; None where none is stated."""
+        return min((grade for stage in self.stages for grade in stage.grades if grade is not None), default=None)
+
+    @property
     def sense(self) -> int:
         """-1 where the output turns against the drive, +1 where it turns with it."""
         return prod(stage.sense for stage in self.stages)

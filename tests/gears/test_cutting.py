@@ -143,7 +143,7 @@ def test_room_is_judged_where_the_tool_is_stated_and_else_told(
     """A shaper's cutter of module 1 needs 4 mm. The hob of Ø50 stands higher than half before Ø62 over Ø17.5."""
     parts = _cluster(60, 20, collar)
     makings = [Made(place, cutting=cutting) for place in PLACES]
-    checks, notes = cutting_checks(parts, makings), cutting_notes(parts, makings)
+    checks, notes = cutting_checks(parts, makings), cutting_notes(parts, makings, None)
     assert [check.passed for check in checks] == ([] if passes is None else [passes])
     assert len(notes) == (passes is None)
     if notes:
@@ -283,8 +283,9 @@ def test_a_collar_that_is_not_stated_leaves_a_stated_tool_its_room(keys: str, co
 def test_sheets_and_checks_hear_of_a_printer_alike() -> None:
     plan = planned(TWO, end="[export.print]\nhole_um = 50.0\n")
     assert {made.cutting for made in plan.makings} == {ToothCutting.PRINTED}
+    assert sum("grade 7, which no printer keeps" in note for note in plan.notes) == 1
     for stem, sheet in sheets_of(plan, Folder({}, "2026-01-01")):
-        assert "plate" in stem or "Teeth: printed or moulded." in sheet.notes
+        assert "plate" in stem or "Teeth: printed or moulded; a printer does not keep grade 7." in sheet.notes
         assert not any("hob" in note for note in sheet.notes)
 
 
@@ -294,6 +295,8 @@ def test_sheets_and_checks_hear_of_a_printer_alike() -> None:
         (ToothCutting.WIRE, 9, "Teeth: cut by wire; a laser or a jet does not keep grade 9."),
         (ToothCutting.WIRE, 10, "Teeth: cut by wire, laser or jet."),
         (ToothCutting.WIRE, None, "Teeth: cut by wire, laser or jet."),
+        (ToothCutting.PRINTED, 9, "Teeth: printed or moulded; a printer does not keep grade 9."),
+        (ToothCutting.PRINTED, 10, "Teeth: printed or moulded."),
         (ToothCutting.HOBBED, 7, "Teeth: hobbed."),
     ],
 )

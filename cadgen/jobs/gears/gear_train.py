@@ -12,7 +12,7 @@ from cadgen.design import gear_model
 from cadgen.design.schema import TrainDesign
 from cadgen.errors import DesignError
 from cadgen.figures import Facts, Sheet
-from cadgen.gears.choices import Order, SearchObjective, Thinning
+from cadgen.gears.choices import Order, SearchObjective, Thinning, ToleranceStandard
 from cadgen.gears.cutting import Made, cutting_checks, cutting_notes
 from cadgen.gears.distribution import quantiles
 from cadgen.gears.layout import TrainLayout
@@ -296,6 +296,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
     whole = WholePlay(teeth=made.play, loose=gear_model.loose(design, made.play.train))
     car = laid_out(design, made.play.train)
     sense, makings = None, gear_model.makings(design, made.layout.pieces.parts)
+    free = keys.standard == ToleranceStandard.FREE  # then no grade is stated
     if car is None:
         sense = gear_model.sense_reservation(design, len(made.layout.train.stages), made.layout.train.sense)
     return GearTrain(
@@ -320,7 +321,7 @@ def plan_gears(design: TrainDesign, order: Order = Order.AS_GIVEN, progress: Pro
         notes=(
             *_thinning_notes(design, made),
             *(note for number, cut in enumerate(made.layout.train.stages, 1) for note in cut.notes(number)),
-            *cutting_notes(made.layout.pieces.parts, makings),
+            *cutting_notes(made.layout.pieces.parts, makings, None if free else made.layout.train.finest_grade),
             *([] if friction is None else [losses_note(made.layout.train, *friction)]),
             *([whole.sentence()] if whole.loose else []),
             *(_notes(design, designed, limits) if limits else ()),
