@@ -435,7 +435,7 @@ def test_each_state_is_told(tmp_path, cli):
     facts = json.loads(cli("verify", str(tmp_path), "--json", code=1).stdout)
     assert facts["files"][0] == {"name": "a", "part": "part", "state": "changed"}
     assert "no manifest.json" in cli("verify", str(tmp_path.parent), code=3).stderr
-    cli("verify", str(tmp_path / "none"), code=2)
+    cli("verify", str(tmp_path / "none"), code=3)
     (tmp_path / "manifest.json").write_text(
         '{"format": 1, "parts": {"x": {"files": {"../../a": {}, "/dev/zero": {}}}}}'
     )
